@@ -1,0 +1,376 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_bond.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "pair_tmsph.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <unordered_map>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using TMSPH::WIDTH;
+
+/* ---------------------------------------------------------------------- */
+
+FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
+    npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), period{0.0, 0.0, 0.0},
+    natoms_at_setup(0), version(0), what_to_send(REFERENCE)
+{
+  if (narg != 3) error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph");
+  restart_global = 1;
+  restart_peratom = 1;
+  create_attribute = 1;
+  maxexchange_dynamic = 1;
+  comm_forward = 3;
+
+  FixTMSPHBond::grow_arrays(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+  for (int i = 0; i < atom->nlocal; i++) FixTMSPHBond::set_arrays(i);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixTMSPHBond::~FixTMSPHBond()
+{
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+  memory->destroy(npartner);
+  memory->destroy(partner);
+  memory->destroy(state);
+  memory->destroy(own_tag);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHBond::setmask()
+{
+  return POST_NEIGHBOR | MIN_POST_NEIGHBOR;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::init()
+{
+  pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
+  if (!pair) error->all(FLERR, "The bonds of pair style tmsph are left without their pair style");
+
+  // a neighbor list serves once, to form the families
+
+  if (!bonds_formed)
+    neighbor->add_request(this, NeighConst::REQ_FULL | NeighConst::REQ_OCCASIONAL);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::init_list(int /*id*/, NeighList *ptr)
+{
+  list = ptr;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::setup_post_neighbor()
+{
+  const bool fresh = !bonds_formed;
+  if (fresh)
+    form();
+  else
+    follow_ids();
+  send_references();
+  lay_out(true);
+  natoms_at_setup = atom->natoms;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::post_neighbor()
+{
+  send_references();
+  lay_out(false);
+}
+
+/* ----------------------------------------------------------------------
+   the present positions become the reference; all pairs of bonded types
+   within the horizon become bonds, sorted by the partner's id
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::form()
+{
+  const int nlocal = atom->nlocal;
+  pair->complete_particles();
+  const int *periodicity = domain->periodicity;
+  const double horizon = pair->horizon();
+  for (int k = 0; k < 3; k++) {
+    period[k] = periodicity[k] && k < domain->dimension ? domain->prd[k] : 0.0;
+    if (period[k] > 0.0 && period[k] < 2.0 * horizon)
+      error->all(FLERR,
+                 "Periodic box length {} in {} is shorter than two horizons of {}: enlarge the box "
+                 "or make this boundary non-periodic",
+                 period[k], "xyz"[k], horizon);
+  }
+  for (int i = 0; i < nlocal; i++) domain->unmap(atom->x[i], atom->image[i], atom->x0[i]);
+  send_references();
+
+  neighbor->build_one(list);
+  std::vector<std::vector<tagint>> family(nlocal);
+  int longest = 1;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    auto &mine = family[i];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      if (!pair->bonded(atom->type[i], atom->type[j])) continue;
+      double X[3];
+      reference_vector(i, j, X);
+      const double R2 = X[0] * X[0] + X[1] * X[1] + X[2] * X[2];
+      if (R2 >= horizon * horizon) continue;
+      if (R2 == 0.0)
+        error->one(FLERR,
+                   "Particles {} and {} stand on the same place: remove one, for instance with "
+                   "delete_atoms overlap",
+                   atom->tag[i], atom->tag[j]);
+      mine.push_back(atom->tag[j]);
+    }
+    std::sort(mine.begin(), mine.end());
+    longest = std::max(longest, (int) mine.size());
+  }
+  list = nullptr;
+
+  int longest_of_all;
+  MPI_Allreduce(&longest, &longest_of_all, 1, MPI_INT, MPI_MAX, world);
+  resize_partners(longest_of_all);
+  for (int i = 0; i < nlocal; i++) {
+    npartner[i] = family[i].size();
+    std::copy(family[i].begin(), family[i].end(), partner[i]);
+    std::fill(state[i], state[i] + npartner[i], (unsigned char) INTACT);
+    own_tag[i] = atom->tag[i];
+    atom->damage[i] = 0.0;
+  }
+  bonds_formed = true;
+  natoms_at_setup = atom->natoms;
+}
+
+/* ----------------------------------------------------------------------
+   reset_atoms id and delete_atoms with compression give particles new ids:
+   follow them, as long as the partners are still within reach
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::follow_ids()
+{
+  const int nlocal = atom->nlocal;
+  int changed = 0, strangers = 0;
+  for (int i = 0; i < nlocal; i++) {
+    if (own_tag[i] == 0) strangers++;
+    if (own_tag[i] != atom->tag[i]) changed++;
+  }
+  int flags[2] = {changed, strangers}, all[2];
+  MPI_Allreduce(flags, all, 2, MPI_INT, MPI_SUM, world);
+  if (all[1])
+    error->all(FLERR,
+               "{} particles were created after the bonds had formed: create all particles before "
+               "the first run, or 'clear' and start anew",
+               all[1]);
+  if (!all[0]) return;
+
+  former_tag.assign(own_tag, own_tag + nlocal);
+  former_tag.resize(nlocal + atom->nghost);
+  what_to_send = TAG;
+  comm->forward_comm(this);
+  what_to_send = REFERENCE;
+  std::unordered_map<tagint, tagint> present;
+  for (size_t i = 0; i < former_tag.size(); i++) present[former_tag[i]] = atom->tag[i];
+  for (int i = 0; i < nlocal; i++) {
+    std::vector<std::pair<tagint, unsigned char>> kept;
+    for (int k = 0; k < npartner[i]; k++) {
+      const auto found = present.find(partner[i][k]);
+      if (found != present.end()) kept.emplace_back(found->second, state[i][k]);
+    }
+    std::sort(kept.begin(), kept.end());
+    npartner[i] = kept.size();
+    for (int k = 0; k < npartner[i]; k++) {
+      partner[i][k] = kept[k].first;
+      state[i][k] = kept[k].second;
+    }
+    own_tag[i] = atom->tag[i];
+  }
+  former_tag.clear();
+}
+
+/* ----------------------------------------------------------------------
+   reference positions in the frame of the present images, ghosts too
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::send_references()
+{
+  const int nlocal = atom->nlocal;
+  xref.resize(3 * (size_t) (nlocal + atom->nghost));
+  for (int i = 0; i < nlocal; i++) {
+    const imageint image = atom->image[i];
+    const int turn[3] = {(int) (image & IMGMASK) - IMGMAX,
+                         (int) (image >> IMGBITS & IMGMASK) - IMGMAX,
+                         (int) (image >> IMG2BITS) - IMGMAX};
+    for (int k = 0; k < 3; k++) xref[3 * (size_t) i + k] = atom->x0[i][k] - turn[k] * period[k];
+  }
+  comm->forward_comm(this);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHBond::pack_forward_comm(int n, int *list, double *buf, int pbc_flag, int *pbc)
+{
+  int m = 0;
+  if (what_to_send == TAG) {
+    for (int ii = 0; ii < n; ii++) buf[m++] = ubuf(former_tag[list[ii]]).d;
+    return m;
+  }
+  double shift[3] = {0.0, 0.0, 0.0};
+  if (pbc_flag)
+    for (int k = 0; k < 3; k++) shift[k] = pbc[k] * period[k];
+  for (int ii = 0; ii < n; ii++)
+    for (int k = 0; k < 3; k++) buf[m++] = xref[3 * (size_t) list[ii] + k] + shift[k];
+  return m;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::unpack_forward_comm(int n, int first, double *buf)
+{
+  if (what_to_send == TAG)
+    for (int i = 0; i < n; i++) former_tag[first + i] = (tagint) ubuf(buf[i]).i;
+  else
+    std::copy(buf, buf + 3 * (size_t) n, xref.begin() + 3 * (size_t) first);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::reference_vector(int i, int j, double *X) const
+{
+  // from the lower id to the higher, so that both ends round alike
+  const bool upward = atom->tag[i] < atom->tag[j];
+  const double *from = atom->x0[upward ? i : j], *to = atom->x0[upward ? j : i];
+  for (int k = 0; k < 3; k++) {
+    double d = to[k] - from[k];
+    if (period[k] > 0.0) d -= period[k] * std::round(d / period[k]);
+    X[k] = upward ? d : -d;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   the image of particle "id" that is nearest to i in the reference frame
+------------------------------------------------------------------------- */
+
+int FixTMSPHBond::find_partner(int i, tagint id) const
+{
+  const double *mine = reference(i);
+  const double reach = 1.01 * pair->horizon();
+  for (int j = atom->map(id); j >= 0; j = atom->sametag[j]) {
+    const double *his = reference(j);
+    double R2 = 0.0;
+    for (int k = 0; k < 3; k++) R2 += (his[k] - mine[k]) * (his[k] - mine[k]);
+    if (R2 < reach * reach) return j;
+  }
+  return -1;
+}
+
+/* ----------------------------------------------------------------------
+   slices of eight consecutive local particles, bonds in the order of ids;
+   a bond that is gone keeps its place with weight 0
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::lay_out(bool at_setup)
+{
+  const int nlocal = atom->nlocal;
+  const int nslice = (nlocal + WIDTH - 1) / WIDTH;
+  const bool deleted = at_setup && atom->natoms < natoms_at_setup;
+
+  slices.particle.resize((size_t) nslice * WIDTH);
+  slices.valid.resize(nslice);
+  slices.offset.resize(nslice + 1);
+  slices.offset[0] = 0;
+  for (int q = 0; q < nslice; q++) {
+    const int first = q * WIDTH, n = std::min(WIDTH, nlocal - first);
+    int rows = 0;
+    for (int l = 0; l < WIDTH; l++) {
+      slices.particle[first + l] = l < n ? first + l : first;
+      if (l < n) rows = std::max(rows, npartner[first + l]);
+    }
+    slices.valid[q] = n;
+    slices.offset[q + 1] = slices.offset[q] + rows;
+  }
+  const size_t size = (size_t) slices.offset[nslice] * WIDTH;
+  slices.partner.resize(size);
+  slices.weight.resize(size);
+
+  for (int q = 0; q < nslice; q++) {
+    const int rows = slices.offset[q + 1] - slices.offset[q];
+    for (int l = 0; l < WIDTH; l++) {
+      const int i = slices.particle[q * WIDTH + l];
+      const bool pad = l >= slices.valid[q];
+      for (int k = 0; k < rows; k++) {
+        int j = -1;
+        const size_t at = slices.at(q, l, k);
+        slices.weight[at] = 0.0f;
+        if (!pad && k < npartner[i]) {
+          j = find_partner(i, partner[i][k]);
+          if (j < 0 && state[i][k] == INTACT) {
+            if (deleted)
+              state[i][k] = CUT;
+            else
+              error->one(FLERR,
+                         "Particle {} lost its bonded partner {} on step {}: it moved farther than "
+                         "the ghost cutoff {}; raise it with comm_modify cutoff or let the bond "
+                         "break",
+                         atom->tag[i], partner[i][k], update->ntimestep, comm->get_comm_cutoff());
+          }
+          if (j >= 0 && state[i][k] == INTACT) slices.weight[at] = pair->bond_weight(i, j);
+        }
+        slices.partner[at] = j < 0 ? i : j;
+      }
+    }
+  }
+  version++;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::remove_bond(int i, int k, State why)
+{
+  state[i][k] = why;
+  slices.weight[slices.at(i / WIDTH, i % WIDTH, k)] = 0.0f;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::update_damage(int i)
+{
+  int broken = 0;
+  for (int k = 0; k < npartner[i]; k++) broken += state[i][k] == BROKEN;
+  atom->damage[i] = npartner[i] ? (double) broken / npartner[i] : 0.0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bigint FixTMSPHBond::count_bonds(State which) const
+{
+  bigint mine = 0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < npartner[i]; k++) mine += state[i][k] == which;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all / 2;
+}

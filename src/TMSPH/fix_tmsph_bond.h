@@ -1,0 +1,106 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   The one owner of the reference bonds. An internal fix, made by pair style
+   tmsph: families form at the first setup and then travel with their
+   particles; after each exchange of particles it lays out the flat arrays
+   that the sweeps stream over.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(tmsph/bond,FixTMSPHBond);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_TMSPH_BOND_H
+#define LMP_FIX_TMSPH_BOND_H
+
+#include "fix.h"
+#include "tmsph_sweep.h"
+
+namespace LAMMPS_NS {
+
+class FixTMSPHBond : public Fix {
+  friend class PairTMSPH;
+
+ public:
+  static constexpr const char *ID = "TMSPH_BOND";
+  enum State : unsigned char { INTACT = 0, BROKEN = 1, CUT = 2 };
+
+  FixTMSPHBond(class LAMMPS *, int, char **);
+  ~FixTMSPHBond() override;
+  int setmask() override;
+  void init() override;
+  void init_list(int, class NeighList *) override;
+  void setup_post_neighbor() override;
+  void post_neighbor() override;
+  void min_post_neighbor() override { post_neighbor(); }
+
+  double memory_usage() override;
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+
+  bool formed() const { return bonds_formed; }
+  int count(int i) const { return npartner[i]; }
+  tagint partner_tag(int i, int k) const { return partner[i][k]; }
+  State bond_state(int i, int k) const { return (State) state[i][k]; }
+  /// local or ghost index of partner k of local particle i; i itself where it is not at hand
+  int partner_index(int i, int k) const
+  {
+    return slices.partner[slices.at(i / TMSPH::WIDTH, i % TMSPH::WIDTH, k)];
+  }
+  /// reference position of a local or ghost particle, in the frame of its present image
+  const double *reference(int i) const { return xref.data() + 3 * (size_t) i; }
+  /// X_j - X_i, the nearest image, the same to the last bit (but for sign) from both ends
+  void reference_vector(int i, int j, double *X) const;
+  /// takes the bond from this end; whoever decides must decide alike at the other end
+  void remove_bond(int i, int k, State why);
+  /// sets atom->damage of local particle i from its broken bonds
+  void update_damage(int i);
+  /// number of bonds (each counted once) in a state, on all processors
+  bigint count_bonds(State which) const;
+  int layout_version() const { return version; }
+  const TMSPH::Slices &layout() const { return slices; }
+
+ private:
+  class PairTMSPH *pair;
+  class NeighList *list;
+  bool bonds_formed;
+  int maxpartner;               // row length of partner and state
+  int *npartner;                // bonds of each particle at formation, less those of deleted ones
+  tagint **partner;             // ids, ascending
+  unsigned char **state;
+  tagint *own_tag;              // id of the particle when its bonds formed; 0: it had none yet
+  double period[3];             // reference box lengths in periodic directions, else 0
+  bigint natoms_at_setup;
+  int version;
+
+  std::vector<double> xref;     // [nlocal+nghost][3]
+  TMSPH::Slices slices;
+  enum { REFERENCE, TAG } what_to_send;
+  std::vector<tagint> former_tag;    // of ghosts too, while ids are being followed
+
+  void form();
+  void follow_ids();
+  void send_references();
+  void lay_out(bool at_setup);
+  int find_partner(int, tagint) const;
+  void resize_partners(int);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

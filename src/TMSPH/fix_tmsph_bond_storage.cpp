@@ -1,0 +1,155 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   How bonds are stored, migrate with their particles and enter restarts.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_bond.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "memory.h"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHBond::memory_usage()
+{
+  const double nmax = atom->nmax;
+  return nmax * (sizeof(int) + sizeof(tagint) + maxpartner * (sizeof(tagint) + 1.0)) +
+      xref.capacity() * sizeof(double) + slices.bytes();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::grow_arrays(int nmax)
+{
+  memory->grow(npartner, nmax, "tmsph/bond:npartner");
+  memory->grow(own_tag, nmax, "tmsph/bond:own_tag");
+  memory->grow(partner, nmax, maxpartner, "tmsph/bond:partner");
+  memory->grow(state, nmax, maxpartner, "tmsph/bond:state");
+}
+
+/* ----------------------------------------------------------------------
+   new row length; what was stored is lost
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::resize_partners(int length)
+{
+  maxpartner = length;
+  maxexchange = 2 + 2 * maxpartner;
+  memory->destroy(partner);
+  memory->destroy(state);
+  memory->create(partner, atom->nmax, maxpartner, "tmsph/bond:partner");
+  memory->create(state, atom->nmax, maxpartner, "tmsph/bond:state");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::copy_arrays(int i, int j, int /*delflag*/)
+{
+  npartner[j] = npartner[i];
+  own_tag[j] = own_tag[i];
+  std::copy(partner[i], partner[i] + npartner[i], partner[j]);
+  std::copy(state[i], state[i] + npartner[i], state[j]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::set_arrays(int i)
+{
+  npartner[i] = 0;
+  own_tag[i] = 0;
+}
+
+/* ----------------------------------------------------------------------
+   own id, number of bonds, then id and state of each
+------------------------------------------------------------------------- */
+
+int FixTMSPHBond::pack_exchange(int i, double *buf)
+{
+  int m = 0;
+  buf[m++] = ubuf(own_tag[i]).d;
+  buf[m++] = ubuf(npartner[i]).d;
+  for (int k = 0; k < npartner[i]; k++) {
+    buf[m++] = ubuf(partner[i][k]).d;
+    buf[m++] = ubuf((int) state[i][k]).d;
+  }
+  return m;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
+{
+  int m = 0;
+  own_tag[nlocal] = (tagint) ubuf(buf[m++]).i;
+  npartner[nlocal] = (int) ubuf(buf[m++]).i;
+  for (int k = 0; k < npartner[nlocal]; k++) {
+    partner[nlocal][k] = (tagint) ubuf(buf[m++]).i;
+    state[nlocal][k] = (unsigned char) ubuf(buf[m++]).i;
+  }
+  return m;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  const double list[5] = {(double) bonds_formed, (double) maxpartner, period[0], period[1],
+                          period[2]};
+  const int size = sizeof(list);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(list, sizeof(double), 5, fp);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::restart(char *buf)
+{
+  double list[5];
+  memcpy(list, buf, sizeof(list));
+  bonds_formed = list[0] != 0.0;
+  resize_partners((int) list[1]);
+  for (int k = 0; k < 3; k++) period[k] = list[2 + k];
+  for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+  natoms_at_setup = atom->natoms;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHBond::pack_restart(int i, double *buf)
+{
+  // LAMMPS wants the length first
+  buf[0] = size_restart(i);
+  return 1 + pack_exchange(i, buf + 1);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::unpack_restart(int nlocal, int nth)
+{
+  double *extra = atom->extra[nlocal];
+  for (int i = 0; i < nth; i++) extra += static_cast<int>(*extra);
+  unpack_exchange(nlocal, extra + 1);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHBond::size_restart(int i)
+{
+  return 3 + 2 * npartner[i];
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHBond::maxsize_restart()
+{
+  return 3 + 2 * maxpartner;
+}

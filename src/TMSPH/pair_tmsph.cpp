@@ -1,0 +1,415 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Force evaluation of pair style tmsph. The equations and the loops over
+   bonds are in tmsph_sweep.h; here they meet LAMMPS's arrays.
+------------------------------------------------------------------------- */
+
+#include "pair_tmsph.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_tmsph_bond.h"
+#include "update.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+// a shape matrix with a smaller ratio of its eigenvalues cannot tell strains apart
+
+static constexpr double SINGULAR = 0.02;
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::compute(int eflag, int vflag)
+{
+  ev_init(eflag, vflag);
+  if (domain->dimension == 2)
+    evaluate<2>();
+  else
+    evaluate<3>();
+}
+
+/* ----------------------------------------------------------------------
+   one force evaluation; with a break test, bonds break between the sweeps
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::evaluate()
+{
+  using R = Rows<D>;
+  const int nlocal = atom->nlocal;
+  if (prepared_version != bond_fix->layout_version()) prepare<D>();
+  update_kinematics<D>();
+  if (on.viscosity) update_velocities<D>();
+
+  const bool testing = break_test && break_test->due();
+  if (testing) stress.resize((size_t) STRESS_ROW<D> * (nlocal + atom->nghost));
+  int inverted = -1;
+  GradientOutput out;
+  out.force_row = force_row.data();
+  out.inverted = &inverted;
+  if (testing) out.stress = stress.data();
+  gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
+  if (inverted >= 0) stop_inverted<D>(inverted);
+  if (testing) test_bonds<D>();
+  send(FORCE_ROWS);
+
+  virial_rows.assign(vflag_either ? 6 * (size_t) nlocal : 0, 0.0);
+  force_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), atom->f[0],
+                 vflag_either ? virial_rows.data() : nullptr);
+  for (size_t i = 0; i < virial_rows.size() / 6; i++)
+    for (int k = 0; k < 6; k++) {
+      if (vflag_global) virial[k] += virial_rows[6 * i + k];
+      if (vflag_atom) vatom[i][k] += virial_rows[6 * i + k];
+    }
+
+  if (eflag_either) {
+    energy.resize(nlocal);
+    energy_sweep<D>(on, slices(), kinematic.data(), energy.data());
+    for (int i = 0; i < nlocal; i++) {
+      if (eflag_global) eng_vdwl += energy[i];
+      if (eflag_atom) eatom[i] += energy[i];
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   after an exchange of particles: rows, shape matrices, material constants
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::prepare()
+{
+  using R = Rows<D>;
+  const int nall = atom->nlocal + atom->nghost;
+  kinematic.assign((size_t) nall * R::KINEMATIC, 0.0);
+  force_row.assign((size_t) nall * R::FORCE, 0.0);
+  for (int i = 0; i < nall; i++) {
+    const Material &m = materials[atom->type[i]];
+    const double density = atom->rmass[i] / atom->vfrac[i];
+    double *row = kinematic.data() + (size_t) i * R::KINEMATIC;
+    for (int k = 0; k < D; k++) row[R::X + k] = bond_fix->reference(i)[k];
+    row[R::YOUNG] = m.elastic.young;
+    double *end = D == 2 ? row : force_row.data() + (size_t) i * R::FORCE;
+    end[R::SPEED] = std::sqrt(m.elastic.wave_modulus / density);
+    end[R::DENSITY] = density;
+  }
+  Slices &all = slices();
+  all.own.resize((size_t) all.count() * CONSTANTS<D> * WIDTH);
+  for (int q = 0; q < all.count(); q++)
+    for (int l = 0; l < WIDTH; l++) update_shape<D>(all, q, l);
+  build_own_side<D>();
+  prepared_version = bond_fix->layout_version();
+}
+
+/* ----------------------------------------------------------------------
+   constants of the particle in lane l of slice q from its remaining bonds:
+   Kbar^-1 V lambda mu chi; Kbar^-1 and chi are 0 where Kbar is singular
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
+{
+  using R = Rows<D>;
+  const int i = bonds.particle[q * WIDTH + l];
+  const double *mine = kinematic.data() + (size_t) i * R::KINEMATIC + R::X;
+  Eigen::Matrix<double, D, D> K = Eigen::Matrix<double, D, D>::Zero();
+  for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
+    const size_t at = (size_t) b * WIDTH + l;
+    const double *his = kinematic.data() + (size_t) bonds.partner[at] * R::KINEMATIC + R::X;
+    Eigen::Matrix<double, D, 1> X;
+    for (int k = 0; k < D; k++) X[k] = his[k] - mine[k];
+    K += (double) bonds.weight[at] * X * X.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen(K, Eigen::EigenvaluesOnly);
+  const auto &value = eigen.eigenvalues();
+  const bool singular = !(value[0] > SINGULAR * value[D - 1]);
+  const Elastic &m = materials[atom->type[i]].elastic;
+  double *own = bonds.own.data() + (size_t) q * CONSTANTS<D> * WIDTH + l;
+  Eigen::Matrix<double, D, D> inverse = Eigen::Matrix<double, D, D>::Zero();
+  if (!singular) inverse = K.inverse();
+  int entry = 0;
+  for (int a = 0; a < D; a++)
+    for (int b = a; b < D; b++) own[WIDTH * entry++] = inverse(a, b);
+  own[WIDTH * entry++] = atom->vfrac[i];
+  own[WIDTH * entry++] = m.lambda;
+  own[WIDTH * entry++] = m.shear;
+  own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young;
+  if (&bonds == &slices())
+    force_row[(size_t) i * R::FORCE + R::KAPPA] = K.trace() / (D * atom->vfrac[i]);
+}
+
+/* ----------------------------------------------------------------------
+   particles with bonds to another material: their reported stress comes from
+   the bonds to their own; a phase one particle thick falls back to all bonds
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::build_own_side()
+{
+  const int nlocal = atom->nlocal;
+  const int *type = atom->type;
+  own_side.particle.clear();
+  own_side.valid.clear();
+  own_side.offset.assign(1, 0);
+  own_side_lane.assign(nlocal, -1);
+  std::vector<int> members;
+  for (int i = 0; i < nlocal; i++) {
+    bool mixed = false;
+    for (int k = 0; k < bond_fix->count(i) && !mixed; k++)
+      mixed = type[bond_fix->partner_index(i, k)] != type[i];
+    if (mixed) members.push_back(i);
+  }
+  for (size_t first = 0; first < members.size(); first += WIDTH) {
+    const int n = std::min<size_t>(WIDTH, members.size() - first);
+    int rows = 0;
+    for (int l = 0; l < WIDTH; l++) {
+      const int i = members[first + (l < n ? l : 0)];
+      own_side.particle.push_back(i);
+      if (l < n) {
+        own_side_lane[i] = first + l;
+        rows = std::max(rows, bond_fix->count(i));
+      }
+    }
+    own_side.valid.push_back(n);
+    own_side.offset.push_back(own_side.offset.back() + rows);
+  }
+  const size_t size = (size_t) own_side.offset.back() * WIDTH;
+  own_side.weight.assign(size, 0.0f);
+  own_side.partner.assign(size, 0);
+  own_side.own.assign((size_t) own_side.count() * CONSTANTS<D> * WIDTH, 0.0);
+  for (int q = 0; q < own_side.count(); q++)    // pads: no bonds, any partner
+    for (int l = own_side.valid[q]; l < WIDTH; l++)
+      for (int b = 0; b < own_side.offset[q + 1] - own_side.offset[q]; b++)
+        own_side.partner[own_side.at(q, l, b)] = own_side.particle[q * WIDTH + l];
+  for (int i : members) fill_own_side<D>(i);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::fill_own_side(int i)
+{
+  const int q = own_side_lane[i] / WIDTH, l = own_side_lane[i] % WIDTH;
+  const int rows = own_side.offset[q + 1] - own_side.offset[q];
+  const Slices &all = slices();
+  for (const bool own_only : {true, false}) {
+    for (int k = 0; k < rows; k++) {
+      const size_t at = own_side.at(q, l, k);
+      const bool here = k < bond_fix->count(i);
+      const int j = here ? bond_fix->partner_index(i, k) : i;
+      own_side.partner[at] = j;
+      own_side.weight[at] = here && (!own_only || atom->type[j] == atom->type[i])
+          ? all.weight[all.at(i / WIDTH, i % WIDTH, k)]
+          : 0.0f;
+    }
+    update_shape<D>(own_side, q, l);
+    if (own_side.own[(size_t) q * CONSTANTS<D> * WIDTH + l] != 0.0) return;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   displacements, and thermal strains where there are any, of all particles
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::update_kinematics()
+{
+  using R = Rows<D>;
+  double **x = atom->x;
+  const int nall = atom->nlocal + atom->nghost;
+  for (int i = 0; i < nall; i++) {
+    double *row = kinematic.data() + (size_t) i * R::KINEMATIC;
+    for (int k = 0; k < D; k++) row[R::U + k] = x[i][k] - row[R::X + k];
+  }
+  if (on.thermal == ThermalStrain::NONE) return;
+  for (int i = 0; i < nall; i++) {
+    const Material &m = materials[atom->type[i]];
+    kinematic[(size_t) i * R::KINEMATIC + R::THERMAL] = m.elastic.young * m.elastic.expansion *
+        (atom->temperature[i] - m.reference_temperature);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::update_velocities()
+{
+  using R = Rows<D>;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < D; k++) force_row[(size_t) i * R::FORCE + R::V + k] = atom->v[i][k];
+}
+
+/* ----------------------------------------------------------------------
+   own-side stress of the local particles, replacing that over all bonds
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::compute_stress()
+{
+  GradientOutput out;
+  out.stress = stress.data();
+  gradient_sweep<D>(on, own_side, 0, own_side.count(), kinematic.data(), out);
+}
+
+/* ----------------------------------------------------------------------
+   all bonds are tested on the same stresses and break together; then the
+   particles that lost one get new shape matrices, gradients and stresses
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::test_bonds()
+{
+  compute_stress<D>();
+  send(STRESS);
+  touched.clear();
+  break_test->break_bonds(stress.data(), touched);
+  if (touched.empty()) return;
+  std::sort(touched.begin(), touched.end());
+  GradientOutput out;
+  out.force_row = force_row.data();
+  int last_slice = -1;
+  for (int i : touched) {
+    update_shape<D>(slices(), i / WIDTH, i % WIDTH);
+    if (own_side_lane[i] >= 0) fill_own_side<D>(i);
+    bond_fix->update_damage(i);
+  }
+  for (int i : touched) {
+    const int q = i / WIDTH;
+    if (q != last_slice) gradient_sweep<D>(on, slices(), q, q + 1, kinematic.data(), out);
+    last_slice = q;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::stop_inverted(int i)
+{
+  const double *x = atom->x[i];
+  error->one(FLERR,
+             "Particle {} at ({:.8g}, {:.8g}, {:.8g}) is turned inside out or not a number on step "
+             "{}: the load is too fast, the time step too long, or the material must be allowed to "
+             "break (fix tmsph/hoekbrown)",
+             atom->tag[i], x[0], x[1], x[2], update->ntimestep);
+}
+
+/* ---------------------------------------------------------------------- */
+
+PairTMSPH::Fields PairTMSPH::fields()
+{
+  const auto fill = [this](auto dimension) {
+    constexpr int D = decltype(dimension)::value;
+    if (prepared_version != bond_fix->layout_version()) prepare<D>();
+    update_kinematics<D>();
+    stress.resize((size_t) STRESS_ROW<D> * (atom->nlocal + atom->nghost));
+    gradient.resize((size_t) D * D * atom->nlocal);
+    GradientOutput out;
+    out.stress = stress.data();
+    out.gradient = gradient.data();
+    gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
+    compute_stress<D>();
+  };
+  if (domain->dimension == 2)
+    fill(std::integral_constant<int, 2>());
+  else
+    fill(std::integral_constant<int, 3>());
+  return {stress.data(), gradient.data()};
+}
+
+/* ----------------------------------------------------------------------
+   plane strain: nu (sxx + syy) - E alpha dT
+------------------------------------------------------------------------- */
+
+double PairTMSPH::stress_zz(int i, double sxx, double syy) const
+{
+  if (plane == Plane::STRESS) return 0.0;
+  const Material &m = materials[atom->type[i]];
+  const double heated = atom->temperature[i] - m.reference_temperature;
+  return m.poisson * (sxx + syy) - m.young * m.expansion * heated;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int PairTMSPH::stress_size() const
+{
+  return domain->dimension == 2 ? STRESS_ROW<2> : STRESS_ROW<3>;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int PairTMSPH::doubles_per_ghost() const
+{
+  return domain->dimension == 2 ? Rows<2>::communicated(on) : Rows<3>::communicated(on);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::send(decltype(FORCE_ROWS) what)
+{
+  what_to_send = what;
+  comm_forward = what == FORCE_ROWS ? doubles_per_ghost()
+      : what == STRESS              ? stress_size()
+                                    : domain->dimension;
+  comm->forward_comm(this);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::pair<double *, int> PairTMSPH::rows_to_send()
+{
+  const bool two = domain->dimension == 2;
+  switch (what_to_send) {
+    case FORCE_ROWS:
+      return {force_row.data(), two ? Rows<2>::FORCE : Rows<3>::FORCE};
+    case STRESS:
+      return {stress.data(), stress_size()};
+    default:
+      return {kinematic.data() + (two ? Rows<2>::U : Rows<3>::U),
+              two ? Rows<2>::KINEMATIC : Rows<3>::KINEMATIC};
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+int PairTMSPH::pack_forward_comm(int n, int *list, double *buf, int /*pbc_flag*/, int * /*pbc*/)
+{
+  const auto [rows, stride] = rows_to_send();
+  for (int i = 0; i < n; i++)
+    buf = std::copy_n(rows + (size_t) stride * list[i], comm_forward, buf);
+  return n * comm_forward;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::unpack_forward_comm(int n, int first, double *buf)
+{
+  const auto [rows, stride] = rows_to_send();
+  for (int i = 0; i < n; i++)
+    std::copy_n(buf + (size_t) comm_forward * i, comm_forward, rows + (size_t) stride * (first + i));
+}
+
+/* ---------------------------------------------------------------------- */
+
+Slices &PairTMSPH::slices()
+{
+  return bond_fix->slices;
+}
+
+/* ---------------------------------------------------------------------- */
+
+float PairTMSPH::bond_weight(int i, int j) const
+{
+  double X[3];
+  bond_fix->reference_vector(i, j, X);
+  const int dimension = domain->dimension;
+  const double R = std::sqrt(X[0] * X[0] + X[1] * X[1] + (dimension == 3 ? X[2] * X[2] : 0.0));
+  return (float) (atom->vfrac[i] * atom->vfrac[j] * kernel_slope(kernel, dimension, R, cutoff));
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PairTMSPH::memory_usage()
+{
+  const size_t doubles = kinematic.capacity() + force_row.capacity() + stress.capacity() +
+      gradient.capacity() + energy.capacity() + virial_rows.capacity();
+  return Pair::memory_usage() + doubles * sizeof(double) + own_side.bytes() +
+      own_side_lane.capacity() * sizeof(int);
+}

@@ -1,0 +1,129 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   pair_style tmsph: total-Lagrangian SPH forces over the reference bonds,
+   with thermal bonds, hourglass control and artificial viscosity.
+------------------------------------------------------------------------- */
+
+#ifdef PAIR_CLASS
+// clang-format off
+PairStyle(tmsph,PairTMSPH);
+// clang-format on
+#else
+
+#ifndef LMP_PAIR_TMSPH_H
+#define LMP_PAIR_TMSPH_H
+
+#include "pair.h"
+#include "tmsph_elastic.h"
+#include "tmsph_kernel.h"
+#include "tmsph_sweep.h"
+
+#include <utility>
+
+namespace LAMMPS_NS {
+
+class FixTMSPHBond;
+
+class PairTMSPH : public Pair {
+ public:
+  /** What a fix that breaks bonds offers: asked between the two sweeps of a step. */
+  struct BreakTest {
+    virtual ~BreakTest() = default;
+    /// true if the bonds are to be tested in this force evaluation
+    virtual bool due() const = 0;
+    /** Breaks what is due.
+        @param stress  own-side Cauchy stress of local and ghost particles, STRESS_ROW doubles each
+        @param touched local particles that lost a bond are added to it */
+    virtual void break_bonds(const double *stress, std::vector<int> &touched) = 0;
+  };
+
+  struct Material {
+    double density = 0.0, reference_temperature = 0.0, expansion = 0.0;
+    double young = 0.0, poisson = 0.0;
+    TMSPH::Elastic elastic;    // set at init, when dimension and plane state are known
+  };
+
+  PairTMSPH(class LAMMPS *);
+  ~PairTMSPH() override;
+  void compute(int, int) override;
+  void settings(int, char **) override;
+  void coeff(int, char **) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  void write_restart(FILE *) override;
+  void read_restart(FILE *) override;
+  void write_restart_settings(FILE *) override;
+  void read_restart_settings(FILE *) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  double memory_usage() override;
+
+  double horizon() const { return cutoff; }
+  bool bonded(int itype, int jtype) const { return are_bonded[itype][jtype]; }
+  const Material &material(int type) const { return materials[type]; }
+  /// number of stress components per particle in fields(): xx yy xy, or xx yy zz xy xz yz
+  int stress_size() const;
+  /// V_i V_j w_ij of a bond, from the reference positions
+  float bond_weight(int i, int j) const;
+  /// masses, temperatures and checks of volumes, before the bonds form
+  void complete_particles();
+  void set_break_test(BreakTest *test) { break_test = test; }
+  FixTMSPHBond *bonds() const { return bond_fix; }
+
+  /** Own-side Cauchy stress and displacement gradient of the local particles in their present
+      positions. Both are owned by the pair style and valid until its next call. */
+  struct Fields {
+    const double *stress;      ///< [nlocal][stress_size()]
+    const double *gradient;    ///< [nlocal][dimension*dimension], F - I over all bonds
+  };
+  Fields fields();
+  /// out-of-plane Cauchy stress from the in-plane ones: zero in plane stress
+  double stress_zz(int i, double sxx, double syy) const;
+  /// largest stable time step of the present state, by power iteration (collective)
+  double stable_timestep();
+  /// doubles sent per ghost and step by the pair style itself, and bytes per local particle
+  int doubles_per_ghost() const;
+
+ private:
+  double cutoff;
+  TMSPH::Kernel kernel;
+  TMSPH::Plane plane;
+  TMSPH::Features on;
+  TMSPH::ThermalStrain thermal_mode;    // as asked for; "on" has what the scene needs
+  TMSPH::Viscosity viscosity;
+  double hourglass;
+  std::vector<Material> materials;                // by type
+  std::vector<std::vector<char>> are_bonded;      // by type and type
+  FixTMSPHBond *bond_fix;
+  BreakTest *break_test;
+
+  int prepared_version;                           // layout that the arrays below belong to
+  std::vector<double> kinematic, force_row;       // [nlocal+nghost][Rows::...]
+  std::vector<double> stress, gradient, energy, virial_rows;
+  TMSPH::Slices own_side;                         // particles with bonds to other materials
+  std::vector<int> own_side_lane;                 // [nlocal] lane in own_side, or -1
+  std::vector<int> touched;
+  enum { FORCE_ROWS, STRESS, DISPLACEMENT } what_to_send;
+
+  void allocate();
+  TMSPH::Slices &slices();
+  template <int D> void prepare();
+  template <int D> void build_own_side();
+  template <int D> void fill_own_side(int i);
+  template <int D> void update_shape(TMSPH::Slices &, int q, int l);
+  template <int D> void update_kinematics();
+  template <int D> void update_velocities();
+  template <int D> void evaluate();
+  template <int D> void test_bonds();
+  template <int D> void compute_stress();
+  template <int D> void stop_inverted(int);
+  template <int D> double stable_timestep_in();
+  void send(decltype(FORCE_ROWS));
+  std::pair<double *, int> rows_to_send();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,363 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   What pair style tmsph reads: its keywords, coefficients and restarts.
+------------------------------------------------------------------------- */
+
+#include "pair_tmsph.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_tmsph_bond.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+// above this Poisson's ratio the stresses lock (pressure noise) without averaged dilatation
+
+static constexpr double MAX_POISSON = 0.45;
+
+/* ---------------------------------------------------------------------- */
+
+PairTMSPH::PairTMSPH(LAMMPS *lmp) :
+    Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
+    thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr),
+    prepared_version(-1), what_to_send(FORCE_ROWS)
+{
+  single_enable = 0;
+  writedata = 0;
+  manybody_flag = 1;
+  no_virial_fdotr_compute = 1;
+  centroidstressflag = CENTROID_NOTAVAIL;
+}
+
+/* ---------------------------------------------------------------------- */
+
+PairTMSPH::~PairTMSPH()
+{
+  if (modify->nfix && modify->get_fix_by_id(FixTMSPHBond::ID))
+    modify->delete_fix(FixTMSPHBond::ID);
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::allocate()
+{
+  allocated = 1;
+  const int n = atom->ntypes + 1;
+  memory->create(setflag, n, n, "pair:setflag");
+  memory->create(cutsq, n, n, "pair:cutsq");
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) setflag[i][j] = 0;
+  materials.assign(n, Material());
+  are_bonded.assign(n, std::vector<char>(n, 1));
+}
+
+/* ----------------------------------------------------------------------
+   looks a word up in a table, or stops with the words that would do
+------------------------------------------------------------------------- */
+
+template <class T>
+static T one_of(Error *error, const char *keyword, const char *word,
+                const std::map<std::string, T> &table)
+{
+  const auto found = table.find(word);
+  if (found != table.end()) return found->second;
+  std::string known;
+  for (const auto &entry : table) known += (known.empty() ? "" : " or ") + entry.first;
+  error->all(FLERR, "Unknown value '{}' of pair_style tmsph {}: use {}", word, keyword, known);
+  return T();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::settings(int narg, char **arg)
+{
+  if (narg < 1) utils::missing_cmd_args(FLERR, "pair_style tmsph", error);
+  cutoff = utils::numeric(FLERR, arg[0], false, lmp);
+  if (cutoff <= 0.0)
+    error->all(FLERR, "Horizon {} of pair_style tmsph must be positive: about 3 particle spacings",
+               arg[0]);
+  kernel = Kernel::WENDLAND;
+  plane = Plane::STRAIN;
+  thermal_mode = ThermalStrain::BOND;
+  on.law = Law::SVK;
+  hourglass = 0.1;
+  viscosity = Viscosity();
+
+  for (int iarg = 1; iarg < narg;) {
+    const std::string word = arg[iarg];
+    const int values = word == "viscosity" ? 2 : 1;
+    const auto known = {"kernel", "plane", "law", "thermal", "hourglass", "viscosity"};
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      error->all(FLERR,
+                 "Unknown pair_style tmsph keyword '{}': use kernel, plane, law, hourglass, "
+                 "viscosity or thermal",
+                 word);
+    if (iarg + values >= narg) utils::missing_cmd_args(FLERR, "pair_style tmsph " + word, error);
+    const char *value = arg[iarg + 1];
+    if (word == "kernel")
+      kernel = one_of<Kernel>(error, "kernel", value,
+                              {{"wendland", Kernel::WENDLAND},
+                               {"cubic", Kernel::CUBIC},
+                               {"quintic", Kernel::QUINTIC}});
+    else if (word == "plane")
+      plane =
+          one_of<Plane>(error, "plane", value, {{"strain", Plane::STRAIN}, {"stress", Plane::STRESS}});
+    else if (word == "law")
+      on.law = one_of<Law>(error, "law", value, {{"svk", Law::SVK}, {"almansi", Law::ALMANSI}});
+    else if (word == "thermal")
+      thermal_mode = one_of<ThermalStrain>(
+          error, "thermal", value,
+          {{"bond", ThermalStrain::BOND}, {"strain", ThermalStrain::CONSTITUTIVE}});
+    else if (word == "hourglass") {
+      hourglass = utils::numeric(FLERR, value, false, lmp);
+      if (hourglass < 0.0)
+        error->all(FLERR, "Pair_style tmsph hourglass {} must not be negative: 0.1 is usual", value);
+    } else {
+      viscosity.alpha1 = utils::numeric(FLERR, value, false, lmp);
+      viscosity.alpha2 = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+      if (viscosity.alpha1 < 0.0 || viscosity.alpha2 < 0.0)
+        error->all(FLERR, "Pair_style tmsph viscosity {} {} must not be negative: 1 2 is usual",
+                   value, arg[iarg + 2]);
+    }
+    iarg += 1 + values;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   pair_coeff I I elastic E nu density rho [expansion alpha] [reference T0]
+   pair_coeff I J bonded|none
+------------------------------------------------------------------------- */
+
+void PairTMSPH::coeff(int narg, char **arg)
+{
+  if (narg < 3) utils::missing_cmd_args(FLERR, "pair_coeff for pair style tmsph", error);
+  if (!allocated) allocate();
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+
+  const std::string what = arg[2];
+  if (what == "bonded" || what == "none") {
+    if (narg > 3)
+      error->all(FLERR, "Unexpected word '{}' after pair_coeff ... {}: remove it", arg[3], what);
+    for (int i = ilo; i <= ihi; i++)
+      for (int j = jlo; j <= jhi; j++)
+        if (i != j) {
+          are_bonded[i][j] = are_bonded[j][i] = what == "bonded";
+          setflag[std::min(i, j)][std::max(i, j)] = 1;
+        } else if (what == "none" && ilo == ihi && jlo == jhi)
+          error->all(FLERR,
+                     "Pair_coeff {} {} none would leave a material without bonds: give 'none' to "
+                     "two different types",
+                     i, j);
+    return;
+  }
+  if (what != "elastic")
+    error->all(FLERR,
+               "Unknown word '{}' in pair_coeff for pair style tmsph: use 'elastic E nu density "
+               "rho', 'bonded' or 'none'",
+               what);
+  if (narg < 5) utils::missing_cmd_args(FLERR, "pair_coeff ... elastic", error);
+
+  Material m;
+  m.young = utils::numeric(FLERR, arg[3], false, lmp);
+  m.poisson = utils::numeric(FLERR, arg[4], false, lmp);
+  for (int iarg = 5; iarg < narg; iarg += 2) {
+    const std::string word = arg[iarg];
+    double *value = word == "density" ? &m.density
+        : word == "expansion"         ? &m.expansion
+        : word == "reference"         ? &m.reference_temperature
+                                      : nullptr;
+    if (!value)
+      error->all(FLERR,
+                 "Unknown keyword '{}' in pair_coeff ... elastic: use density, expansion or "
+                 "reference",
+                 word);
+    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "pair_coeff ... elastic " + word, error);
+    *value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+  }
+  if (m.young <= 0.0)
+    error->all(FLERR, "Young's modulus {} in pair_coeff must be positive", arg[3]);
+  if (m.poisson <= -1.0 || m.poisson >= 0.5)
+    error->all(FLERR, "Poisson's ratio {} in pair_coeff must lie between -1 and 0.5", arg[4]);
+  if (m.poisson > MAX_POISSON)
+    error->all(FLERR,
+               "Poisson's ratio {} in pair_coeff is above {}: nearly incompressible material locks "
+               "in this formulation; use {} at most",
+               arg[4], MAX_POISSON, MAX_POISSON);
+  if (m.density <= 0.0)
+    error->all(FLERR, "Pair_coeff ... elastic needs a positive density: add 'density rho'");
+
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = std::max(jlo, i); j <= jhi; j++)
+      if (i == j) {
+        materials[i] = m;
+        setflag[i][i] = 1;
+        count++;
+      }
+  if (!count)
+    error->all(FLERR,
+               "Pair_coeff {} {} elastic: a material belongs to one type, give it as 'pair_coeff "
+               "{} {} elastic'; between types use 'bonded' or 'none'",
+               arg[0], arg[1], arg[0], arg[0]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::init_style()
+{
+  if (!utils::strmatch(atom->get_style(), "^tmsph"))
+    error->all(FLERR, "Pair style tmsph needs 'atom_style tmsph', not '{}'", atom->get_style());
+  if (domain->triclinic)
+    error->all(FLERR, "Pair style tmsph needs an orthogonal box: the box is triclinic");
+  if (domain->dimension == 3 && plane == Plane::STRESS)
+    error->all(FLERR, "Pair_style tmsph plane stress needs dimension 2: remove it in 3-D");
+
+  bool expands = false;
+  for (int i = 1; i <= atom->ntypes; i++) {
+    Material &m = materials[i];
+    m.elastic = elastic_constants(domain->dimension, plane, m.young, m.poisson, m.expansion);
+    expands = expands || m.expansion != 0.0;
+  }
+  on.thermal = expands ? thermal_mode : ThermalStrain::NONE;
+  on.hourglass = hourglass > 0.0;
+  on.viscosity = viscosity.alpha1 > 0.0 || viscosity.alpha2 > 0.0;
+  viscosity.smoothing_length = cutoff / support_in_smoothing_lengths(kernel);
+  comm_forward = domain->dimension == 2 ? Rows<2>::FORCE : Rows<3>::FORCE;    // the longest
+  prepared_version = -1;
+  break_test = nullptr;    // a fix that breaks bonds says so again in its own init()
+
+  bond_fix = dynamic_cast<FixTMSPHBond *>(modify->get_fix_by_id(FixTMSPHBond::ID));
+  if (!bond_fix)
+    bond_fix = dynamic_cast<FixTMSPHBond *>(
+        modify->add_fix(fmt::format("{} all tmsph/bond", FixTMSPHBond::ID)));
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PairTMSPH::init_one(int i, int j)
+{
+  for (int type : {i, j})
+    if (!setflag[type][type])
+      error->all(FLERR,
+                 "Type {} has no material: give it one with 'pair_coeff {} {} elastic E nu density "
+                 "rho'",
+                 type, type, type);
+  return cutoff;
+}
+
+/* ----------------------------------------------------------------------
+   density times volume is the mass; a mass that was given must agree.
+   A temperature that was not given is the reference temperature.
+   Ghosts carry the same data and follow the same rule.
+------------------------------------------------------------------------- */
+
+void PairTMSPH::complete_particles()
+{
+  constexpr double AGREE = 1.0e-6;
+  for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
+    const Material &m = materials[atom->type[i]];
+    const double volume = atom->vfrac[i];
+    if (!(volume > 0.0))
+      error->one(FLERR,
+                 "Particle {} has volume {}: give reference volumes with 'set group all volume V'",
+                 atom->tag[i], volume);
+    if (std::isnan(atom->temperature[i])) atom->temperature[i] = m.reference_temperature;
+    const double mass = m.density * volume;
+    if (atom->rmass[i] == 0.0)
+      atom->rmass[i] = mass;
+    else if (!(std::fabs(atom->rmass[i] - mass) <= AGREE * mass))
+      error->one(FLERR,
+                 "Particle {} has mass {}, but density {} times volume {} is {}: correct one of "
+                 "them, or leave the mass out",
+                 atom->tag[i], atom->rmass[i], m.density, volume, mass);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::write_restart_settings(FILE *fp)
+{
+  const double list[7] = {cutoff,    (double) kernel,  (double) plane,   (double) thermal_mode,
+                          hourglass, viscosity.alpha1, viscosity.alpha2};
+  const int law = (int) on.law;
+  fwrite(list, sizeof(double), 7, fp);
+  fwrite(&law, sizeof(int), 1, fp);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::read_restart_settings(FILE *fp)
+{
+  double list[7];
+  int law;
+  if (comm->me == 0) {
+    utils::sfread(FLERR, list, sizeof(double), 7, fp, nullptr, error);
+    utils::sfread(FLERR, &law, sizeof(int), 1, fp, nullptr, error);
+  }
+  MPI_Bcast(list, 7, MPI_DOUBLE, 0, world);
+  MPI_Bcast(&law, 1, MPI_INT, 0, world);
+  cutoff = list[0];
+  kernel = (Kernel) (int) list[1];
+  plane = (Plane) (int) list[2];
+  thermal_mode = (ThermalStrain) (int) list[3];
+  hourglass = list[4];
+  viscosity.alpha1 = list[5];
+  viscosity.alpha2 = list[6];
+  on.law = (Law) law;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::write_restart(FILE *fp)
+{
+  write_restart_settings(fp);
+  for (int i = 1; i <= atom->ntypes; i++) {
+    const Material &m = materials[i];
+    const double list[6] = {(double) setflag[i][i], m.young,     m.poisson,
+                            m.density,              m.expansion, m.reference_temperature};
+    fwrite(list, sizeof(double), 6, fp);
+    fwrite(are_bonded[i].data(), 1, atom->ntypes + 1, fp);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::read_restart(FILE *fp)
+{
+  read_restart_settings(fp);
+  allocate();
+  for (int i = 1; i <= atom->ntypes; i++) {
+    double list[6];
+    if (comm->me == 0) {
+      utils::sfread(FLERR, list, sizeof(double), 6, fp, nullptr, error);
+      utils::sfread(FLERR, are_bonded[i].data(), 1, atom->ntypes + 1, fp, nullptr, error);
+    }
+    MPI_Bcast(list, 6, MPI_DOUBLE, 0, world);
+    MPI_Bcast(are_bonded[i].data(), atom->ntypes + 1, MPI_CHAR, 0, world);
+    setflag[i][i] = list[0] != 0.0;
+    Material &m = materials[i];
+    m.young = list[1];
+    m.poisson = list[2];
+    m.density = list[3];
+    m.expansion = list[4];
+    m.reference_temperature = list[5];
+  }
+}

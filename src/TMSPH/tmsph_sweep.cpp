@@ -1,0 +1,330 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Gradient, force and energy sweeps; see tmsph_sweep.h for the equations.
+------------------------------------------------------------------------- */
+
+#include "tmsph_sweep.h"
+
+#include <utility>
+
+namespace TMSPH {
+namespace {
+
+/// What the eight bonds of one row look like: X_ij, u'_ij and the factor 1/(1 + theta_ij).
+/// In 2-D half of the kinematic row (X and u) will do unless WHOLE is asked for.
+template <int D, bool THERMAL, bool WHOLE = THERMAL> struct BondRow {
+  Lanes X[D], u[D], stretch;
+
+  TMSPH_INLINE BondRow(const Lanes *own, const double *kinematic, const int *partner, Lanes *other)
+  {
+    using R = Rows<D>;
+    constexpr int N = (D == 2 && !WHOLE) ? 4 : 8;
+    load_rows<N>(kinematic, R::KINEMATIC, partner, other);
+    for (int k = 0; k < D; k++) {
+      X[k] = other[R::X + k] - own[R::X + k];
+      u[k] = other[R::U + k] - own[R::U + k];
+    }
+    if constexpr (THERMAL) {
+      // theta = (E_i a_i + E_j a_j)/(E_i + E_j); u' = (u - theta X)/(1 + theta)
+      const Lanes young = own[R::YOUNG] + other[R::YOUNG];
+      const Lanes thermal = own[R::THERMAL] + other[R::THERMAL];
+      const Lanes inverse = 1.0 / (young + thermal);
+      stretch = young * inverse;
+      const Lanes theta = thermal * inverse;
+      for (int k = 0; k < D; k++) u[k] = stretch * u[k] - theta * X[k];
+    }
+  }
+};
+
+/// The particles of a slice and their kinematic rows.
+template <int D> struct Own {
+  Lanes row[8];
+  const double *constants;
+  TMSPH_INLINE Own(const Slices &bonds, int q, const double *kinematic)
+  {
+    load_rows<8>(kinematic, Rows<D>::KINEMATIC, bonds.particle.data() + q * WIDTH, row);
+    constants = bonds.own.data() + (size_t) q * CONSTANTS<D> * WIDTH;
+  }
+  TMSPH_INLINE Lanes constant(int k) const { return load(constants + (size_t) k * WIDTH); }
+  TMSPH_INLINE Lanes volume() const { return constant(SYMMETRIC<D>); }
+  TMSPH_INLINE Lanes lambda() const { return constant(SYMMETRIC<D> + 1); }
+  TMSPH_INLINE Lanes shear() const { return constant(SYMMETRIC<D> + 2); }
+  TMSPH_INLINE Lanes chi() const { return constant(SYMMETRIC<D> + 3); }
+  TMSPH_INLINE Lanes thermal_strain() const
+  {
+    return row[Rows<D>::THERMAL] / row[Rows<D>::YOUNG];
+  }
+  TMSPH_INLINE Matrix<D, Lanes> shape_inverse() const
+  {
+    Matrix<D, Lanes> K;
+    int k = 0;
+    for (int i = 0; i < D; i++)
+      for (int j = i; j < D; j++) K[i][j] = K[j][i] = constant(k++);
+    return K;
+  }
+};
+
+/// H_i = (sum W u' X^T) Kbar^-1
+template <int D, bool THERMAL>
+TMSPH_INLINE Matrix<D, Lanes> displacement_gradient(const Slices &bonds, int q,
+                                                    const Own<D> &own, const double *kinematic)
+{
+  Matrix<D, Lanes> A;
+  for (int i = 0; i < D; i++)
+    for (int j = 0; j < D; j++) A[i][j] = broadcast(0.0);
+  Lanes other[8];
+  for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
+    const size_t at = (size_t) b * WIDTH;
+    const BondRow<D, THERMAL> bond(own.row, kinematic, bonds.partner.data() + at, other);
+    const Lanes weight = load(bonds.weight.data() + at);
+    Lanes g[D];
+    for (int k = 0; k < D; k++) g[k] = weight * bond.X[k];
+    for (int i = 0; i < D; i++)
+      for (int j = 0; j < D; j++) A[i][j] += bond.u[i] * g[j];
+  }
+  return product(A, own.shape_inverse());
+}
+
+template <int D>
+TMSPH_INLINE void store_stress(const Matrix<D, Lanes> &sigma, const int *particle, int n,
+                               double *stress)
+{
+  constexpr int N = STRESS_ROW<D>;
+  Lanes s[N];
+  for (int i = 0, k = D; i < D; i++) {
+    s[i] = sigma[i][i];
+    for (int j = i + 1; j < D; j++) s[k++] = sigma[i][j];
+  }
+  for (int l = 0; l < n; l++)
+    for (int k = 0; k < N; k++) stress[(size_t) particle[l] * N + k] = s[k][l];
+}
+
+template <int D, Law LAW, ThermalStrain THERMAL>
+void gradient(const Slices &bonds, int first, int last, const double *kinematic,
+              const GradientOutput &out)
+{
+  using R = Rows<D>;
+  for (int q = first; q < last; q++) {
+    const Own<D> own(bonds, q, kinematic);
+    const int *particle = bonds.particle.data() + q * WIDTH;
+    const int n = bonds.valid[q];
+    const Matrix<D, Lanes> H =
+        displacement_gradient<D, THERMAL == ThermalStrain::BOND>(bonds, q, own, kinematic);
+    const Lanes thermal =
+        THERMAL == ThermalStrain::CONSTITUTIVE ? own.thermal_strain() : broadcast(0.0);
+    const Matrix<D, Lanes> P = first_piola<LAW>(H, own.lambda(), own.shear(), thermal);
+    if (out.inverted) {
+      const auto fine = determinant(deformation(H)) > 0.0;    // false for NaN, too
+      for (int l = 0; l < n; l++)
+        if (!fine[l]) *out.inverted = particle[l];
+    }
+    if (out.stress) store_stress(cauchy(P, deformation(H)), particle, n, out.stress);
+    if (out.gradient)
+      for (int l = 0; l < n; l++)
+        for (int k = 0; k < D * D; k++)
+          out.gradient[(size_t) particle[l] * D * D + k] = H[k / D][k % D][l];
+    if (out.force_row) {
+      const Matrix<D, Lanes> PK = product(P, own.shape_inverse());
+      const Lanes volume = own.volume(), chi = own.chi();
+      double row[D * D + 1][WIDTH];
+      for (int i = 0; i < D; i++)
+        for (int j = 0; j < D; j++) store(row[i * D + j], volume * PK[i][j] - chi * H[i][j]);
+      store(row[D * D], chi);
+      for (int l = 0; l < n; l++)
+        for (int k = 0; k <= D * D; k++)
+          out.force_row[(size_t) particle[l] * R::FORCE + k] = row[k][l];
+    }
+  }
+}
+
+template <int D, bool THERMAL, bool HOURGLASS, bool VISCOUS, bool VIRIAL>
+void force(const Slices &bonds, const Viscosity &viscosity, const double *kinematic,
+           const double *force_row, double *f, double *virial)
+{
+  using R = Rows<D>;
+  // without hourglass and viscosity 2-D needs B only: half the row
+  constexpr int N = R::FORCE == 8 && !HOURGLASS && !VISCOUS ? 4
+      : D == 3 && !VISCOUS                                  ? 12
+                                                            : R::FORCE;
+  const double h = viscosity.smoothing_length;
+  for (int q = 0; q < bonds.count(); q++) {
+    const Own<D> own(bonds, q, kinematic);
+    const int *particle = bonds.particle.data() + q * WIDTH;
+    Lanes mine[R::FORCE], his[R::FORCE], other[8], total[D], work[6];
+    load_rows<N>(force_row, R::FORCE, particle, mine);
+    for (auto &t : total) t = broadcast(0.0);
+    if constexpr (VIRIAL)
+      for (auto &t : work) t = broadcast(0.0);
+    for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
+      const size_t at = (size_t) b * WIDTH;
+      const int *partner = bonds.partner.data() + at;
+      const BondRow<D, THERMAL, THERMAL || VISCOUS> bond(own.row, kinematic, partner, other);
+      load_rows<N>(force_row, R::FORCE, partner, his);
+      const Lanes weight = load(bonds.weight.data() + at);
+      Lanes t[D];
+      for (int i = 0; i < D; i++) {
+        t[i] = (mine[R::B + i * D] + his[R::B + i * D]) * bond.X[0];
+        for (int k = 1; k < D; k++)
+          t[i] += (mine[R::B + i * D + k] + his[R::B + i * D + k]) * bond.X[k];
+      }
+      if constexpr (HOURGLASS) {
+        const Lanes chi = mine[R::CHI] + his[R::CHI];
+        for (int i = 0; i < D; i++) t[i] += chi * bond.u[i];
+      }
+      if constexpr (THERMAL)
+        for (int i = 0; i < D; i++) t[i] *= bond.stretch;
+      Lanes x[D];
+      if constexpr (VISCOUS || VIRIAL)
+        for (int k = 0; k < D; k++)
+          x[k] = bond.X[k] + (other[R::U + k] - own.row[R::U + k]);
+      if constexpr (VISCOUS) {
+        // rho (alpha1 c mu - alpha2 mu^2 on approach) |X|/kappa e, mu = h v.x/(r^2 + 0.01 h^2)
+        Lanes r2 = x[0] * x[0], X2 = bond.X[0] * bond.X[0];
+        Lanes rate = (his[R::V] - mine[R::V]) * x[0];
+        for (int k = 1; k < D; k++) {
+          r2 += x[k] * x[k];
+          X2 += bond.X[k] * bond.X[k];
+          rate += (his[R::V + k] - mine[R::V + k]) * x[k];
+        }
+        // in 2-D wave speed and density end the kinematic row, in 3-D the force row
+        const Lanes *const i_end = D == 2 ? own.row : mine;
+        const Lanes *const j_end = D == 2 ? other : his;
+        const Lanes speed = i_end[R::SPEED] + j_end[R::SPEED];
+        const Lanes density = i_end[R::DENSITY] + j_end[R::DENSITY];
+        const Lanes kappa = mine[R::KAPPA] + his[R::KAPPA] + 1.0e-300;
+        r2 += 1.0e-300;    // pads have x = 0
+        const Lanes soft = r2 + 0.01 * h * h;
+        const Lanes mu = h * rate / soft;
+        const Lanes factor = mu * density *
+            (0.5 * viscosity.alpha1 * speed - viscosity.alpha2 * minimum(mu, broadcast(0.0))) *
+            square_root(X2 / r2) / kappa;
+        for (int k = 0; k < D; k++) t[k] += factor * x[k];
+      }
+      for (int i = 0; i < D; i++) {
+        t[i] *= weight;
+        total[i] += t[i];
+      }
+      if constexpr (VIRIAL) {
+        for (int i = 0, k = D; i < D; i++) {
+          work[i] -= x[i] * t[i];
+          for (int j = i + 1; j < D; j++) work[k++] -= 0.5 * (x[i] * t[j] + x[j] * t[i]);
+        }
+      }
+    }
+    for (int l = 0; l < bonds.valid[q]; l++) {
+      const size_t i = particle[l];
+      for (int k = 0; k < D; k++) f[3 * i + k] += total[k][l];
+      if constexpr (VIRIAL) {
+        double *v = virial + 6 * i;
+        for (int k = 0; k < D; k++) v[k] += 0.5 * work[k][l];
+        for (int k = 0; k < D * (D - 1) / 2; k++) v[3 + k] += 0.5 * work[D + k][l];
+      }
+    }
+  }
+}
+
+template <int D, Law LAW, ThermalStrain MODE>
+void energies(const Slices &bonds, const double *kinematic, double *energy)
+{
+  constexpr bool THERMAL = MODE == ThermalStrain::BOND;
+  for (int q = 0; q < bonds.count(); q++) {
+    const Own<D> own(bonds, q, kinematic);
+    const Matrix<D, Lanes> H = displacement_gradient<D, THERMAL>(bonds, q, own, kinematic);
+    const Lanes thermal =
+        MODE == ThermalStrain::CONSTITUTIVE ? own.thermal_strain() : broadcast(0.0);
+    Lanes penalty = broadcast(0.0), other[8];
+    for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
+      const size_t at = (size_t) b * WIDTH;
+      const BondRow<D, THERMAL> bond(own.row, kinematic, bonds.partner.data() + at, other);
+      Lanes sum = broadcast(0.0);
+      for (int i = 0; i < D; i++) {
+        Lanes r = bond.u[i];
+        for (int k = 0; k < D; k++) r -= H[i][k] * bond.X[k];
+        sum += r * r;
+      }
+      penalty += load(bonds.weight.data() + at) * sum;
+    }
+    const Lanes total = own.volume() * strain_energy<LAW>(H, own.lambda(), own.shear(), thermal) +
+        0.5 * own.chi() * penalty;
+    for (int l = 0; l < bonds.valid[q]; l++) energy[bonds.particle[q * WIDTH + l]] = total[l];
+  }
+}
+
+/// Calls fn with the scene's law and thermal mode as compile-time constants.
+template <class FN> void with_law(const Features &on, FN fn)
+{
+  const auto with_mode = [&](auto law) {
+    switch (on.thermal) {
+      case ThermalStrain::NONE:
+        fn(law, std::integral_constant<ThermalStrain, ThermalStrain::NONE>());
+        break;
+      case ThermalStrain::BOND:
+        fn(law, std::integral_constant<ThermalStrain, ThermalStrain::BOND>());
+        break;
+      default:
+        fn(law, std::integral_constant<ThermalStrain, ThermalStrain::CONSTITUTIVE>());
+    }
+  };
+  if (on.law == Law::SVK)
+    with_mode(std::integral_constant<Law, Law::SVK>());
+  else
+    with_mode(std::integral_constant<Law, Law::ALMANSI>());
+}
+
+template <class FN> void with_bool(bool value, FN fn)
+{
+  if (value)
+    fn(std::true_type());
+  else
+    fn(std::false_type());
+}
+
+}    // namespace
+
+template <int D>
+void gradient_sweep(const Features &on, const Slices &bonds, int first_slice, int last_slice,
+                    const double *kinematic, const GradientOutput &out)
+{
+  with_law(on, [&](auto law, auto thermal) {
+    gradient<D, law(), thermal()>(bonds, first_slice, last_slice, kinematic, out);
+  });
+}
+
+template <int D>
+void force_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
+                 const double *kinematic, const double *force_row, double *f, double *virial)
+{
+  with_bool(on.thermal == ThermalStrain::BOND, [&](auto thermal) {
+    with_bool(on.hourglass, [&](auto hourglass) {
+      with_bool(on.viscosity, [&](auto viscous) {
+        with_bool(virial != nullptr, [&](auto work) {
+          force<D, thermal(), hourglass(), viscous(), work()>(bonds, viscosity, kinematic,
+                                                              force_row, f, virial);
+        });
+      });
+    });
+  });
+}
+
+template <int D>
+void energy_sweep(const Features &on, const Slices &bonds, const double *kinematic,
+                  double *energy)
+{
+  with_law(on, [&](auto law, auto thermal) {
+    energies<D, law(), thermal()>(bonds, kinematic, energy);
+  });
+}
+
+template void gradient_sweep<2>(const Features &, const Slices &, int, int, const double *,
+                                const GradientOutput &);
+template void gradient_sweep<3>(const Features &, const Slices &, int, int, const double *,
+                                const GradientOutput &);
+template void force_sweep<2>(const Features &, const Slices &, const Viscosity &,
+                             const double *, const double *, double *, double *);
+template void force_sweep<3>(const Features &, const Slices &, const Viscosity &,
+                             const double *, const double *, double *, double *);
+template void energy_sweep<2>(const Features &, const Slices &, const double *, double *);
+template void energy_sweep<3>(const Features &, const Slices &, const double *, double *);
+
+}    // namespace TMSPH
