@@ -125,7 +125,8 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
     for (int k = 0; k < D; k++) X[k] = his[k] - mine[k];
     K += (double) bonds.weight[at] * X * X.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen(K, Eigen::EigenvaluesOnly);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen;
+  eigen.computeDirect(K, Eigen::EigenvaluesOnly);
   const auto &value = eigen.eigenvalues();
   const bool singular = !(value[0] > SINGULAR * value[D - 1]);
   const Elastic &m = materials[atom->type[i]].elastic;
