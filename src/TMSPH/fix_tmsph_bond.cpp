@@ -349,6 +349,15 @@ void FixTMSPHBond::lay_out(bool at_setup)
 
 /* ---------------------------------------------------------------------- */
 
+bool FixTMSPHBond::joined(int i, tagint id) const
+{
+  const tagint *first = partner[i], *last = first + npartner[i];
+  const tagint *found = std::lower_bound(first, last, id);
+  return found != last && *found == id && state[i][found - first] == INTACT;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixTMSPHBond::remove_bond(int i, int k, State why)
 {
   state[i][k] = why;

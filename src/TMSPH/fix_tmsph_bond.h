@@ -65,6 +65,8 @@ class FixTMSPHBond : public Fix {
   const double *reference(int i) const { return xref.data() + 3 * (size_t) i; }
   /// X_j - X_i, the nearest image, the same to the last bit (but for sign) from both ends
   void reference_vector(int i, int j, double *X) const;
+  /// true if an intact bond joins local particle i to the particle with this id
+  bool joined(int i, tagint id) const;
   /// takes the bond from this end; whoever decides must decide alike at the other end
   void remove_bond(int i, int k, State why);
   /// sets atom->damage of local particle i from its broken bonds

@@ -68,6 +68,10 @@ template <int D> void PairTMSPH::evaluate()
       if (vflag_global) virial[k] += virial_rows[6 * i + k];
       if (vflag_atom) vatom[i][k] += virial_rows[6 * i + k];
     }
+  if (break_test) {
+    const double repulsion = break_test->repel(vflag_global ? virial : nullptr);
+    if (eflag_global) eng_vdwl += repulsion;
+  }
 
   if (eflag_either) {
     energy.resize(nlocal);
@@ -325,6 +329,36 @@ double PairTMSPH::stress_zz(int i, double sxx, double syy) const
   const Material &m = materials[atom->type[i]];
   const double heated = atom->temperature[i] - m.reference_temperature;
   return m.poisson * (sxx + syy) - m.young * m.expansion * heated;
+}
+
+/* ----------------------------------------------------------------------
+   under uniform stress f_ij = 2 W_ij/kappa sigma X_ij, and half of f u' is
+   the energy; summed over all bonds this is the strain energy of the body
+------------------------------------------------------------------------- */
+
+double PairTMSPH::bond_energy(int i, int k, const double *stress) const
+{
+  const int D = domain->dimension;
+  const int j = bond_fix->partner_index(i, k);
+  const double *kappa = force_row.data();
+  kappa += D == 2 ? (size_t) i * Rows<2>::FORCE + Rows<2>::KAPPA
+                  : (size_t) i * Rows<3>::FORCE + Rows<3>::KAPPA;
+  if (*kappa <= 0.0) return 0.0;
+  double X[3], work = 0.0;
+  bond_fix->reference_vector(i, j, X);
+  const int row[3][3] = {{0, D, D + 1}, {D, 1, D + 2}, {D + 1, D + 2, 2}};
+  const auto heated = [this](int p) {
+    const Material &m = materials[atom->type[p]];
+    return m.elastic.young * m.elastic.expansion * (atom->temperature[p] - m.reference_temperature);
+  };
+  const double theta = (heated(i) + heated(j)) /
+      (materials[atom->type[i]].elastic.young + materials[atom->type[j]].elastic.young);
+  for (int a = 0; a < D; a++) {
+    const double u = (atom->x[j][a] - bond_fix->reference(j)[a]) -
+        (atom->x[i][a] - bond_fix->reference(i)[a]) - theta * X[a];
+    for (int b = 0; b < D; b++) work += u * stress[row[a][b]] * X[b];
+  }
+  return bond_weight(i, j) * work / *kappa;
 }
 
 /* ---------------------------------------------------------------------- */

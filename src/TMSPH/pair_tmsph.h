@@ -29,13 +29,19 @@ class PairTMSPH : public Pair {
  public:
   /** What a fix that breaks bonds offers: asked between the two sweeps of a step. */
   struct BreakTest {
-    virtual ~BreakTest() = default;
     /// true if the bonds are to be tested in this force evaluation
     virtual bool due() const = 0;
     /** Breaks what is due.
         @param stress  own-side Cauchy stress of local and ghost particles, STRESS_ROW doubles each
         @param touched local particles that lost a bond are added to it */
     virtual void break_bonds(const double *stress, std::vector<int> &touched) = 0;
+    /** Forces between particles that no bond joins any more, added to atom->f of local particles.
+        @param virial six components to add to, or nullptr
+        @return this processor's share of their energy */
+    virtual double repel(double *virial) = 0;
+
+   protected:
+    ~BreakTest() = default;    // owned as a fix, never through this interface
   };
 
   struct Material {
@@ -78,6 +84,8 @@ class PairTMSPH : public Pair {
     const double *gradient;    ///< [nlocal][dimension*dimension], F - I over all bonds
   };
   Fields fields();
+  /// small-strain share of the strain energy that bond k of local particle i carries at a stress
+  double bond_energy(int i, int k, const double *stress) const;
   /// out-of-plane Cauchy stress from the in-plane ones: zero in plane stress
   double stress_zz(int i, double sxx, double syy) const;
   /// largest stable time step of the present state, by power iteration (collective)

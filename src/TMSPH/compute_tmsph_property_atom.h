@@ -1,0 +1,54 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   compute tmsph/property/atom: fields of the particles, one column a word.
+------------------------------------------------------------------------- */
+
+#ifdef COMPUTE_CLASS
+// clang-format off
+ComputeStyle(tmsph/property/atom,ComputeTMSPHPropertyAtom);
+// clang-format on
+#else
+
+#ifndef LMP_COMPUTE_TMSPH_PROPERTY_ATOM_H
+#define LMP_COMPUTE_TMSPH_PROPERTY_ATOM_H
+
+#include "compute.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class ComputeTMSPHPropertyAtom : public Compute {
+ public:
+  ComputeTMSPHPropertyAtom(class LAMMPS *, int, char **);
+  ~ComputeTMSPHPropertyAtom() override;
+  void init() override;
+  void compute_peratom() override;
+  double memory_usage() override;
+
+ private:
+  using Column = std::function<double(int)>;
+  std::vector<std::string> words;
+  std::vector<Column> columns;
+  bool needs_stress;    // one of the words is a stress or a deformation gradient
+  int nmax;
+  double *vector, **array;
+  class PairTMSPH *pair;
+  class FixTMSPHHoekBrown *breaking;
+
+  Column column(const std::string &word);
+  void make_columns();
+
+  // stress and deformation gradient of this call, and the principal stresses
+  std::vector<double> full_stress, principal;
+  const double *gradient;
+  void evaluate_fields();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,419 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_hoekbrown.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_tmsph_bond.h"
+#include "force.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neigh_request.h"
+#include "neighbor.h"
+#include "tmsph_random.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using TMSPH::Extremes;
+
+/* ---------------------------------------------------------------------- */
+
+FixTMSPHHoekBrown::FixTMSPHHoekBrown(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), list(nullptr), debris(lmp),
+    rocks(atom->ntypes + 1), all_principals(false), one_rock(true), armed(false), version(-1),
+    broken{0, 0}, broken_now(0)
+{
+  scalar_flag = vector_flag = local_flag = 1;
+  size_vector = 5;
+  global_freq = 1;
+  extscalar = extvector = 0;
+  size_local_rows = 0;
+  size_local_cols = 13;
+  local_freq = 1;
+  restart_global = 1;
+  comm_forward = 1;
+  parse(narg, arg);
+}
+
+/* ----------------------------------------------------------------------
+   keywords: strength mi gsi disturbance TYPES value, weibull TYPES omega seed,
+   principal inplane|all
+------------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::parse(int narg, char **arg)
+{
+  if (igroup != 0)
+    error->all(FLERR, "Fix tmsph/hoekbrown works on all particles: use group all and give each "
+                      "type its rock");
+  for (int iarg = 3; iarg < narg;) {
+    const std::string word = arg[iarg];
+    if (word == "principal") {
+      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix tmsph/hoekbrown principal", error);
+      if (strcmp(arg[iarg + 1], "all") != 0 && strcmp(arg[iarg + 1], "inplane") != 0)
+        error->all(FLERR, "Unknown value '{}' of fix tmsph/hoekbrown principal: use inplane or all",
+                   arg[iarg + 1]);
+      all_principals = strcmp(arg[iarg + 1], "all") == 0;
+      iarg += 2;
+      continue;
+    }
+    const bool weibull = word == "weibull";
+    if (!weibull && word != "strength" && word != "mi" && word != "gsi" && word != "disturbance")
+      error->all(FLERR,
+                 "Unknown keyword '{}' of fix tmsph/hoekbrown: use strength, mi, gsi, disturbance, "
+                 "weibull or principal",
+                 word);
+    const int words = weibull ? 4 : 3;
+    if (iarg + words > narg)
+      utils::missing_cmd_args(FLERR, "fix tmsph/hoekbrown " + word, error);
+    int lo, hi;
+    utils::bounds(FLERR, arg[iarg + 1], 1, atom->ntypes, lo, hi, error);
+    const double value = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+    const auto reject = [&](const char *rule) {
+      error->all(FLERR, "Fix tmsph/hoekbrown {} {} is out of range: {}", word, arg[iarg + 2], rule);
+    };
+    if (word == "strength" && value <= 0.0)
+      reject("the uniaxial compressive strength must be positive");
+    if (word == "mi" && value <= 0.0) reject("it must be positive; 4 to 33 is usual");
+    if (word == "gsi" && (value <= 0.0 || value > 100.0))
+      reject("it must be above 0 and at most 100 (intact rock)");
+    if (word == "disturbance" && (value < 0.0 || value > 1.0)) reject("it must lie in 0 to 1");
+    if (weibull && value <= 0.0) reject("the Weibull modulus must be positive; 10 is usual");
+    int seed = 0;
+    if (weibull) {
+      seed = utils::inumeric(FLERR, arg[iarg + 3], false, lmp);
+      if (seed <= 0)
+        error->all(FLERR, "Fix tmsph/hoekbrown weibull seed {} must be a positive integer",
+                   arg[iarg + 3]);
+    }
+    for (int type = lo; type <= hi; type++) {
+      Rock &rock = rocks[type];
+      if (word == "strength") rock.strength = value;
+      if (word == "mi") rock.mi = value;
+      if (word == "gsi") rock.gsi = value;
+      if (word == "disturbance") rock.disturbance = value;
+      if (weibull) {
+        rock.modulus = value;
+        rock.seed = seed;
+      }
+    }
+    iarg += words;
+  }
+  for (int type = 1; type <= atom->ntypes; type++) {
+    Rock &rock = rocks[type];
+    for (const auto &[name, value] : {std::make_pair("strength", rock.strength),
+                                      std::make_pair("mi", rock.mi)})
+      if (value == 0.0)
+        error->all(FLERR, "Fix tmsph/hoekbrown lacks the {} of type {}: add '{} {} value'", name,
+                   type, name, type);
+    rock.constants = TMSPH::hoek_brown(rock.mi, rock.gsi, rock.disturbance);
+    one_rock = one_rock && rock.constants == rocks[1].constants;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHoekBrown::setmask()
+{
+  return PRE_FORCE | END_OF_STEP;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::init()
+{
+  pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
+  if (!pair) error->all(FLERR, "Fix tmsph/hoekbrown needs pair style tmsph");
+  if (modify->get_fix_by_style("^tmsph/hoekbrown$").size() > 1)
+    error->all(FLERR, "More than one fix tmsph/hoekbrown: give all types in a single one");
+  if (all_principals && domain->dimension == 3) all_principals = false;    // 3-D has all anyway
+  bonds = pair->bonds();
+  pair->set_break_test(this);
+  armed = false;
+  version = -1;
+
+  // fragments may meet: pairs within half a horizon, the widest reach of a contact
+
+  neighbor->add_request(this, NeighConst::REQ_FULL)
+      ->set_cutoff(0.5 * pair->horizon() + neighbor->skin);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::init_list(int /*id*/, NeighList *ptr)
+{
+  list = ptr;
+}
+
+/* ----------------------------------------------------------------------
+   bonds are tested once a step of a run: not in the setup, which repeats the
+   last step's forces, and not while minimizing
+------------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::pre_force(int /*vflag*/)
+{
+  armed = true;
+  broken_now = 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::end_of_step()
+{
+  armed = false;
+}
+
+/* ----------------------------------------------------------------------
+   after an exchange of particles: strengths by id, candidates of contact
+------------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::follow_layout()
+{
+  if (version == bonds->layout_version()) return;
+  version = bonds->layout_version();
+  const int nall = atom->nlocal + atom->nghost;
+  strengths.resize(nall);
+  for (int i = 0; i < nall; i++) {
+    const Rock &rock = rocks[atom->type[i]];
+    strengths[i] = rock.modulus > 0.0
+        ? TMSPH::weibull_random(rock.strength, rock.modulus, atom->tag[i], rock.seed)
+        : rock.strength;
+  }
+  debris.measure(*bonds, 0.5 * pair->horizon());
+  comm->forward_comm(this);
+  debris.list_candidates(*list, *bonds, *pair);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHoekBrown::pack_forward_comm(int n, int *sendlist, double *buf, int /*pbc_flag*/,
+                                         int * /*pbc*/)
+{
+  for (int i = 0; i < n; i++) buf[i] = debris.spacings()[sendlist[i]];
+  return n;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::unpack_forward_comm(int n, int first, double *buf)
+{
+  std::copy(buf, buf + n, debris.spacings().begin() + first);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHoekBrown::repel(double *virial)
+{
+  follow_layout();
+  return debris.repel(virial);
+}
+
+/* ---------------------------------------------------------------------- */
+
+Extremes FixTMSPHHoekBrown::extremes(const double *stress, double zz) const
+{
+  if (domain->dimension == 3) return TMSPH::principal_extremes_3d(stress);
+  Extremes e = TMSPH::principal_extremes_2d(stress);
+  if (all_principals) {
+    e.largest = std::max(e.largest, zz);
+    e.smallest = std::min(e.smallest, zz);
+  }
+  return e;
+}
+
+/* ---------------------------------------------------------------------- */
+
+Extremes FixTMSPHHoekBrown::extremes_of(int i, const double *stress) const
+{
+  return extremes(stress, all_principals ? pair->stress_zz(i, stress[0], stress[1]) : 0.0);
+}
+
+/* ----------------------------------------------------------------------
+   A bond is tested with the mean stress and the mean strength of its ends. The
+   safe states of a rock form a convex set that scales with its strength, so a
+   bond between two ends that are safe on their own is safe: only bonds with an
+   end that is not need the test, or those between different rocks.
+   Both ends, on whatever processor, see the same numbers and decide alike.
+------------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touched)
+{
+  follow_layout();
+  armed = false;
+  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost, size = pair->stress_size();
+  const int *type = atom->type;
+  const auto row = [&](int i) { return stress + (size_t) i * size; };
+
+  beyond.resize(nall);
+  bool any = !one_rock;
+  for (int i = 0; i < nall; i++) {
+    beyond[i] = TMSPH::fails(extremes_of(i, row(i)), strengths[i], rocks[type[i]].constants);
+    any = any || beyond[i];
+  }
+  if (!any) return;
+
+  for (int i = 0; i < nlocal; i++) {
+    bool lost = false;
+    for (int k = 0; k < bonds->count(i); k++) {
+      if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
+      const int j = bonds->partner_index(i, k);
+      const bool same = one_rock || rocks[type[i]].constants == rocks[type[j]].constants;
+      if (same && !beyond[i] && !beyond[j]) continue;
+
+      double mean[6], zz = 0.0;
+      for (int c = 0; c < size; c++) mean[c] = 0.5 * (row(i)[c] + row(j)[c]);
+      if (all_principals)
+        zz = 0.5 * (pair->stress_zz(i, row(i)[0], row(i)[1]) +
+                    pair->stress_zz(j, row(j)[0], row(j)[1]));
+      const Extremes e = extremes(mean, zz);
+      const double strength = 0.5 * (strengths[i] + strengths[j]);
+      const TMSPH::HoekBrown rock = same
+          ? rocks[type[i]].constants
+          : TMSPH::mean(rocks[type[i]].constants, rocks[type[j]].constants);
+      if (!TMSPH::fails(e, strength, rock)) continue;
+
+      if (atom->tag[i] < atom->tag[j]) record(i, k, mean, e);
+      bonds->remove_bond(i, k, FixTMSPHBond::BROKEN);
+      debris.add(i, j, *bonds, *pair);
+      lost = true;
+    }
+    if (lost) touched.push_back(i);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   one row of the local table; a bond is recorded where its lower id lives
+------------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::record(int i, int k, const double *stress, const Extremes &e)
+{
+  const int j = bonds->partner_index(i, k);
+  const int mode = e.largest > 0.0 ? 0 : 1;    // tension where a principal stress pulls
+  broken[mode]++;
+  broken_now++;
+  double X[3];
+  bonds->reference_vector(i, j, X);
+  const double R = std::sqrt(X[0] * X[0] + X[1] * X[1] + X[2] * X[2]);
+  const double time = update->atime + (update->ntimestep - update->atimestep) * update->dt;
+  Event event;
+  double *c = event.column;
+  *c++ = atom->tag[i];
+  *c++ = atom->tag[j];
+  *c++ = update->ntimestep;
+  *c++ = time;
+  for (int a = 0; a < 3; a++) *c++ = 0.5 * (atom->x[i][a] + atom->x[j][a]);
+  for (int a = 0; a < 3; a++) *c++ = X[a] / R;
+  *c++ = mode + 1;
+  *c++ = pair->bond_energy(i, k, stress);
+  *c++ = 0.5 * (atom->temperature[i] + atom->temperature[j]);
+  events.push_back(event);
+  event_rows.clear();
+  for (auto &row : events) event_rows.push_back(row.column);
+  array_local = event_rows.data();
+  size_local_rows = events.size();
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHoekBrown::strength(int i) const
+{
+  return strengths[i];
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHoekBrown::load_factor(int i, const double *stress) const
+{
+  Extremes e;
+  if (domain->dimension == 3)
+    e = TMSPH::principal_extremes_3d(stress);
+  else {
+    const double plane[3] = {stress[0], stress[1], stress[3]};
+    e = extremes(plane, stress[2]);
+  }
+  return TMSPH::load_factor(e, strengths[i], rocks[atom->type[i]].constants);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bigint FixTMSPHHoekBrown::total(int mode)
+{
+  bigint all;
+  MPI_Allreduce(&broken[mode], &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHoekBrown::compute_scalar()
+{
+  return total(0) + total(1);
+}
+
+/* ----------------------------------------------------------------------
+   1 broken in tension, 2 in shear, 3 on this step, 4 largest load factor of a
+   particle, 5 fragment contacts
+------------------------------------------------------------------------- */
+
+double FixTMSPHHoekBrown::compute_vector(int n)
+{
+  if (n < 2) return total(n);
+  if (n == 3) return largest_load();
+  const double mine = n == 2 ? (double) broken_now : 0.5 * debris.contacts();
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHoekBrown::largest_load()
+{
+  const double *stress = pair->fields().stress;
+  follow_layout();
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    mine = std::max(mine,
+                    TMSPH::load_factor(extremes_of(i, stress + (size_t) i * pair->stress_size()),
+                                       strengths[i], rocks[atom->type[i]].constants));
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::write_restart(FILE *fp)
+{
+  const double tension = total(0), shear = total(1);
+  if (comm->me) return;
+  const double counts[2] = {tension, shear};
+  const int size = sizeof(counts);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(counts, sizeof(double), 2, fp);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::restart(char *buf)
+{
+  double counts[2];
+  memcpy(counts, buf, sizeof(counts));
+  for (int mode = 0; mode < 2; mode++)
+    broken[mode] = comm->me == 0 ? (bigint) counts[mode] : 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHoekBrown::memory_usage()
+{
+  return strengths.capacity() * sizeof(double) + beyond.capacity() +
+      events.capacity() * (sizeof(Event) + sizeof(double *));
+}

@@ -1,0 +1,86 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   fix tmsph/hoekbrown: bonds break by the Hoek-Brown criterion.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(tmsph/hoekbrown,FixTMSPHHoekBrown);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_TMSPH_HOEKBROWN_H
+#define LMP_FIX_TMSPH_HOEKBROWN_H
+
+#include "fix.h"
+#include "pair_tmsph.h"
+#include "tmsph_debris.h"
+#include "tmsph_hoekbrown.h"
+
+namespace LAMMPS_NS {
+
+class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
+ public:
+  FixTMSPHHoekBrown(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void init_list(int, class NeighList *) override;
+  void pre_force(int) override;
+  void end_of_step() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+
+  bool due() const override { return armed; }
+  void break_bonds(const double *, std::vector<int> &) override;
+  double repel(double *) override;
+
+  /// uniaxial compressive strength of particle i, drawn for its id
+  double strength(int i) const;
+  /// load factor of a stress (xx yy zz xy xz yz) with particle i's strength
+  double load_factor(int i, const double *stress) const;
+
+ private:
+  struct Rock {
+    double strength = 0.0, mi = 0.0, gsi = 100.0, disturbance = 0.0;
+    double modulus = 0.0;    // Weibull; 0: no scatter
+    int seed = 0;
+    TMSPH::HoekBrown constants;
+  };
+  struct Event {
+    double column[13];
+  };
+
+  PairTMSPH *pair;
+  class FixTMSPHBond *bonds;
+  class NeighList *list;
+  TMSPHDebris debris;
+  std::vector<Rock> rocks;               // by type
+  bool all_principals, one_rock;
+  bool armed;                            // in a step of a run, not in setup or minimization
+  int version;                           // layout that the arrays below belong to
+  std::vector<double> strengths;         // [nlocal+nghost] drawn compressive strengths
+  std::vector<char> beyond;              // [nlocal+nghost] fails with its own stress and strength
+  bigint broken[2];                      // in tension, in shear: events recorded here
+  bigint broken_now;
+  std::vector<Event> events;
+  std::vector<double *> event_rows;
+
+  void parse(int, char **);
+  void follow_layout();
+  TMSPH::Extremes extremes(const double *stress, double zz) const;
+  TMSPH::Extremes extremes_of(int i, const double *stress) const;
+  void record(int i, int j, const double *stress, const TMSPH::Extremes &);
+  double largest_load();
+  bigint total(int mode);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,55 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Repulsion of particles that no intact bond joins, so that fragments do not
+   pass through each other: a frictionless stand-in for real contact.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_TMSPH_DEBRIS_H
+#define LMP_TMSPH_DEBRIS_H
+
+#include "pointers.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixTMSPHBond;
+class NeighList;
+class PairTMSPH;
+
+/** Two particles without an intact bond repel with k (d - r) along the line between them, from the
+    distance d = min(|X_ij|, (d_i + d_j)/2) on. d_i is the reference distance of the nearest
+    partner of i, k the harmonic mean of E V/d^2 of both: about the stiffness of a cell of rock. */
+class TMSPHDebris : protected Pointers {
+ public:
+  explicit TMSPHDebris(class LAMMPS *lmp) : Pointers(lmp) {}
+
+  /// contact sizes d_i of the local particles, none above "limit"
+  void measure(const FixTMSPHBond &bonds, double limit);
+  std::vector<double> &spacings() { return spacing; }    ///< ghosts' ones are filled by the caller
+  /// candidates from a full neighbor list that reaches contact distance plus skin
+  void list_candidates(const NeighList &list, const FixTMSPHBond &bonds, const PairTMSPH &pair);
+  /// a bond of local particle i to j broke: they may touch from now on
+  void add(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH &pair);
+  /** Adds forces to atom->f of local particles, and to virial (6, or nullptr).
+      @return this processor's share of the energy */
+  double repel(double *virial);
+  int contacts() const { return touching; }    ///< contacts of local particles at the last call
+
+ private:
+  struct Candidate {
+    int i, j;
+    double distance, stiffness;
+  };
+  std::vector<double> spacing;    // [nlocal+nghost]
+  std::vector<Candidate> candidates;
+  bool sorted = true;
+  int touching = 0;
+
+  bool make(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH &pair, Candidate &) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,46 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Principal values of a symmetric stress, tension positive, largest first.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_TMSPH_PRINCIPAL_H
+#define LMP_TMSPH_PRINCIPAL_H
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace TMSPH {
+
+/// Largest and smallest principal value.
+struct Extremes {
+  double largest, smallest;
+};
+
+/// In the plane, from xx yy xy.
+inline Extremes principal_extremes_2d(const double *s)
+{
+  const double mean = 0.5 * (s[0] + s[1]), half = 0.5 * (s[0] - s[1]);
+  const double radius = std::sqrt(half * half + s[2] * s[2]);
+  return {mean + radius, mean - radius};
+}
+
+/// All three, ascending, from xx yy zz xy xz yz.
+inline Eigen::Vector3d principal_values(const double *s)
+{
+  Eigen::Matrix3d A;
+  A << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(A, Eigen::EigenvaluesOnly);
+  return eigen.eigenvalues();
+}
+
+inline Extremes principal_extremes_3d(const double *s)
+{
+  const Eigen::Vector3d value = principal_values(s);
+  return {value[2], value[0]};
+}
+
+}    // namespace TMSPH
+#endif
