@@ -20,7 +20,7 @@ using namespace FixConst;
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), value(0.0)
+    Fix(lmp, narg, arg), value(0.0), variable_index(-1)
 {
   if (narg < 5) utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary", error);
   if (!atom->temperature_flag)
@@ -42,6 +42,7 @@ FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
                  arg[iarg + 1]);
   }
   scalar_flag = 1;
+  extscalar = 0;
   global_freq = 1;
 }
 
@@ -57,11 +58,11 @@ int FixTMSPHHeatBoundary::setmask()
 void FixTMSPHHeatBoundary::init()
 {
   if (variable.empty()) return;
-  const int index = input->variable->find(variable.c_str());
-  if (index < 0)
+  variable_index = input->variable->find(variable.c_str());
+  if (variable_index < 0)
     error->all(FLERR, "Variable {} of fix tmsph/heat/boundary does not exist: define it first",
                variable);
-  if (!input->variable->equalstyle(index))
+  if (!input->variable->equalstyle(variable_index))
     error->all(FLERR, "Variable {} of fix tmsph/heat/boundary must be of equal style", variable);
 }
 
@@ -73,7 +74,7 @@ void FixTMSPHHeatBoundary::pre_force(int /*vflag*/)
 {
   if (!variable.empty()) {
     modify->clearstep_compute();
-    value = input->variable->compute_equal(variable);
+    value = input->variable->compute_equal(variable_index);
     modify->addstep_compute(update->ntimestep + 1);
   }
   if (!std::isfinite(value))

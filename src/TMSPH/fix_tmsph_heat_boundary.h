@@ -32,6 +32,7 @@ class FixTMSPHHeatBoundary : public Fix {
  private:
   double value;            // temperature in force
   std::string variable;    // name of the equal-style variable that gives it, or empty
+  int variable_index;
 };
 
 }    // namespace LAMMPS_NS
