@@ -128,7 +128,7 @@ class PairTMSPH : public Pair {
   template <int D> void update_velocities();
   template <int D> void evaluate();
   template <int D> void test_bonds();
-  template <int D> void compute_stress();
+  template <int D> void own_side_stress(bool inverted_breaks);
   template <int D> void stop_inverted(int);
   template <int D> double stable_timestep_in();
   void send(decltype(FORCE_ROWS));

@@ -115,11 +115,21 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
         THERMAL == ThermalStrain::CONSTITUTIVE ? own.thermal_strain() : broadcast(0.0);
     const Matrix<D, Lanes> P = first_piola<LAW>(H, own.lambda(), own.shear(), thermal);
     if (out.inverted) {
-      const auto fine = determinant(deformation(H)) > 0.0;    // false for NaN, too
+      const Lanes J = determinant(deformation(H));
+      const auto fine = out.inverted_breaks ? J == J : J > 0.0;    // both are false for NaN
       for (int l = 0; l < n; l++)
         if (!fine[l]) *out.inverted = particle[l];
     }
-    if (out.stress) store_stress(cauchy(P, deformation(H)), particle, n, out.stress);
+    if (out.stress) {
+      Matrix<D, Lanes> sigma = cauchy(P, deformation(H));
+      if (out.inverted_breaks) {
+        const auto turned = determinant(deformation(H)) <= 0.0;
+        for (int i = 0; i < D; i++)
+          for (int j = 0; j < D; j++)
+            sigma[i][j] = turned ? broadcast(i == j ? UNBEARABLE : 0.0) : sigma[i][j];
+      }
+      store_stress(sigma, particle, n, out.stress);
+    }
     if (out.gradient)
       for (int l = 0; l < n; l++)
         for (int k = 0; k < D * D; k++)
