@@ -147,7 +147,7 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   own[WIDTH * entry++] = m.lambda;
   own[WIDTH * entry++] = m.shear;
   own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young;
-  if (&bonds == &slices())
+  if (&bonds == &slices() && l < bonds.valid[q])    // a pad has no bonds
     force_row[(size_t) i * R::FORCE + R::KAPPA] = K.trace() / (D * atom->vfrac[i]);
 }
 
