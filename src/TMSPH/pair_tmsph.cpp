@@ -147,8 +147,11 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   own[WIDTH * entry++] = m.lambda;
   own[WIDTH * entry++] = m.shear;
   own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young;
-  if (&bonds == &slices() && l < bonds.valid[q])    // a pad has no bonds
-    force_row[(size_t) i * R::FORCE + R::KAPPA] = K.trace() / (D * atom->vfrac[i]);
+  if (&bonds == &slices() && l < bonds.valid[q]) {    // a pad has no bonds
+    // a particle without bonds uses its kappa nowhere, but 0/0 must not arise from it
+    const double trace = K.trace();
+    force_row[(size_t) i * R::FORCE + R::KAPPA] = trace > 0.0 ? trace / (D * atom->vfrac[i]) : 1.0;
+  }
 }
 
 /* ----------------------------------------------------------------------

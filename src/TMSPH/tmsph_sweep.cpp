@@ -202,7 +202,7 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
         const Lanes *const j_end = D == 2 ? other : his;
         const Lanes speed = i_end[R::SPEED] + j_end[R::SPEED];
         const Lanes density = i_end[R::DENSITY] + j_end[R::DENSITY];
-        const Lanes kappa = mine[R::KAPPA] + his[R::KAPPA] + 1.0e-300;
+        const Lanes kappa = mine[R::KAPPA] + his[R::KAPPA];
         r2 += 1.0e-300;    // pads have x = 0
         const Lanes soft = r2 + 0.01 * h * h;
         const Lanes mu = h * rate / soft;
