@@ -29,7 +29,7 @@ using TMSPH::WIDTH;
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), lag(nullptr),
-    period{0.0, 0.0, 0.0},
+    kappa(0.0), period{0.0, 0.0, 0.0},
     natoms_at_setup(0),
     bonds_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
 {

@@ -128,6 +128,7 @@ class PairTMSPH : public Pair {
   template <int D> void build_own_side();
   template <int D> void fill_own_side(int i);
   template <int D> void update_shape(TMSPH::Slices &, int q, int l);
+  template <int D> double largest_kappa();
   template <int D> void update_kinematics();
   template <int D> void update_velocities();
   template <int D> void evaluate();
