@@ -42,7 +42,6 @@ void PairTMSPH::compute(int eflag, int vflag)
 
 template <int D> void PairTMSPH::evaluate()
 {
-  using R = Rows<D>;
   const int nlocal = atom->nlocal;
   if (prepared_version != bond_fix->layout_version()) prepare<D>();
   update_kinematics<D>();
@@ -54,20 +53,26 @@ template <int D> void PairTMSPH::evaluate()
   GradientOutput out;
   out.force_row = force_row.data();
   out.inverted = &inverted;
-  if (testing) out.stress = stress.data();
+  if (testing) {
+    out.stress = stress.data();
+    out.inverted_breaks = true;
+  }
   gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
   if (inverted >= 0) stop_inverted<D>(inverted);
   if (testing) test_bonds<D>();
   send(FORCE_ROWS);
 
-  virial_rows.assign(vflag_either ? 6 * (size_t) nlocal : 0, 0.0);
-  force_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), atom->f[0],
-                 vflag_either ? virial_rows.data() : nullptr);
-  for (size_t i = 0; i < virial_rows.size() / 6; i++)
-    for (int k = 0; k < 6; k++) {
-      if (vflag_global) virial[k] += virial_rows[6 * i + k];
-      if (vflag_atom) vatom[i][k] += virial_rows[6 * i + k];
-    }
+  force_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), atom->f[0]);
+  if (vflag_either) {
+    virial_rows.assign(6 * (size_t) nlocal, 0.0);
+    virial_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(),
+                    virial_rows.data());
+    for (int i = 0; i < nlocal; i++)
+      for (int k = 0; k < 6; k++) {
+        if (vflag_global) virial[k] += virial_rows[6 * (size_t) i + k];
+        if (vflag_atom) vatom[i][k] += virial_rows[6 * (size_t) i + k];
+      }
+  }
   if (break_test) {
     const double repulsion = break_test->repel(vflag_global ? virial : nullptr);
     if (eflag_global) eng_vdwl += repulsion;
@@ -144,8 +149,11 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   own[WIDTH * entry++] = m.lambda;
   own[WIDTH * entry++] = m.shear;
   own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young;
-  if (&bonds == &slices())
-    force_row[(size_t) i * R::FORCE + R::KAPPA] = K.trace() / (D * atom->vfrac[i]);
+  if (&bonds == &slices() && l < bonds.valid[q]) {    // a pad has no bonds
+    // a particle without bonds uses its kappa nowhere, but 0/0 must not arise from it
+    const double trace = K.trace();
+    force_row[(size_t) i * R::FORCE + R::KAPPA] = trace > 0.0 ? trace / (D * atom->vfrac[i]) : 1.0;
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -241,18 +249,35 @@ template <int D> void PairTMSPH::update_kinematics()
 template <int D> void PairTMSPH::update_velocities()
 {
   using R = Rows<D>;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < D; k++) force_row[(size_t) i * R::FORCE + R::V + k] = atom->v[i][k];
+  static constexpr double REST[3] = {0.0, 0.0, 0.0};
+  const bool minimizing = update->whichflag == 2;    // looks for equilibrium: nothing moves
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *v = minimizing ? REST
+        : update->setupflag      ? bond_fix->setup_velocity(i)
+                                 : atom->v[i];
+    std::copy_n(v, D, force_row.data() + (size_t) i * R::FORCE + R::V);
+  }
+  stepped = !minimizing && !update->setupflag;
+}
+
+/* ---------------------------------------------------------------------- */
+
+const double *PairTMSPH::step_velocity(int i) const
+{
+  if (!stepped) return nullptr;
+  return force_row.data() + (domain->dimension == 2 ? (size_t) i * Rows<2>::FORCE + Rows<2>::V
+                                                    : (size_t) i * Rows<3>::FORCE + Rows<3>::V);
 }
 
 /* ----------------------------------------------------------------------
    own-side stress of the local particles, replacing that over all bonds
 ------------------------------------------------------------------------- */
 
-template <int D> void PairTMSPH::compute_stress()
+template <int D> void PairTMSPH::own_side_stress(bool inverted_breaks)
 {
   GradientOutput out;
   out.stress = stress.data();
+  out.inverted_breaks = inverted_breaks;
   gradient_sweep<D>(on, own_side, 0, own_side.count(), kinematic.data(), out);
 }
 
@@ -263,7 +288,7 @@ template <int D> void PairTMSPH::compute_stress()
 
 template <int D> void PairTMSPH::test_bonds()
 {
-  compute_stress<D>();
+  own_side_stress<D>(true);
   send(STRESS);
   touched.clear();
   break_test->break_bonds(stress.data(), touched);
@@ -310,7 +335,7 @@ PairTMSPH::Fields PairTMSPH::fields()
     out.stress = stress.data();
     out.gradient = gradient.data();
     gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
-    compute_stress<D>();
+    own_side_stress<D>(false);
   };
   if (domain->dimension == 2)
     fill(std::integral_constant<int, 2>());

@@ -32,7 +32,7 @@ static constexpr double MAX_POISSON = 0.45;
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr),
-    prepared_version(-1), what_to_send(FORCE_ROWS)
+    stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;
@@ -261,6 +261,22 @@ double PairTMSPH::init_one(int i, int j)
                  "rho'",
                  type, type, type);
   return cutoff;
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string PairTMSPH::features() const
+{
+  std::string text = domain->dimension == 3 ? "3-D"
+      : plane == Plane::STRAIN              ? "plane strain"
+                                            : "plane stress";
+  text += on.law == Law::SVK ? ", St Venant-Kirchhoff" : ", Almansi";
+  if (on.thermal == ThermalStrain::BOND) text += ", thermal bonds";
+  if (on.thermal == ThermalStrain::CONSTITUTIVE) text += ", thermal strain";
+  if (on.hourglass) text += fmt::format(", hourglass {}", hourglass);
+  if (on.viscosity) text += fmt::format(", viscosity {} {}", viscosity.alpha1, viscosity.alpha2);
+  if (break_test) text += fmt::format(", breaking with {} doubles more per ghost", stress_size());
+  return text;
 }
 
 /* ----------------------------------------------------------------------

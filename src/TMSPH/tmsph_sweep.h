@@ -93,12 +93,17 @@ struct Slices {
 /** Cauchy stress row per particle: xx yy xy in 2-D, xx yy zz xy xz yz in 3-D. */
 template <int D> constexpr int STRESS_ROW = D == 2 ? 3 : 6;
 
+/// A tension that no bond survives, even in the mean with any other stress.
+constexpr double UNBEARABLE = 1.0e200;
+
 /** Optional outputs of the gradient sweep; nullptr leaves one out. */
 struct GradientOutput {
   double *force_row = nullptr;    ///< B and chi of each particle's force row
   double *stress = nullptr;       ///< [particle][STRESS_ROW]
   double *gradient = nullptr;     ///< [particle][D*D] H = F - I, row-major
   int *inverted = nullptr;        ///< set to a particle with det F <= 0 or NaN, if there is one
+  /// where bonds may break det F <= 0 is no error: the stress becomes UNBEARABLE in tension instead
+  bool inverted_breaks = false;
 };
 
 template <int D>
@@ -110,11 +115,17 @@ struct Viscosity {
   double alpha1 = 0.0, alpha2 = 0.0, smoothing_length = 0.0;
 };
 
-/** Adds forces to f (stride 3). With virial != nullptr also adds each particle's half of
-    -sum x_ij f_ij to virial[particle][6] (xx yy zz xy xz yz). */
+/** Adds the forces to f (stride 3). */
 template <int D>
 void force_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
-                 const double *kinematic, const double *force_row, double *f, double *virial);
+                 const double *kinematic, const double *force_row, double *f);
+
+/** Adds each particle's half of -sum x_ij f_ij to virial[particle][6] (xx yy zz xy xz yz). A sweep
+    of its own: were it done along with the forces, the compiler would round those differently, and
+    a run that asks for the pressure would not be the same to the last bit as one that does not. */
+template <int D>
+void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
+                  const double *kinematic, const double *force_row, double *virial);
 
 /** Elastic and hourglass energy of each particle, written to energy[particle]. */
 template <int D>
