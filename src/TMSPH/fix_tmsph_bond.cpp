@@ -28,8 +28,8 @@ using TMSPH::WIDTH;
 
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
-    npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), lag(nullptr),
-    horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0),
+    npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), first_tag(nullptr),
+    lag(nullptr), horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0),
     bonds_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
@@ -57,6 +57,7 @@ FixTMSPHBond::~FixTMSPHBond()
   memory->destroy(partner);
   memory->destroy(state);
   memory->destroy(own_tag);
+  memory->destroy(first_tag);
   memory->destroy(lag);
 }
 
@@ -184,7 +185,7 @@ void FixTMSPHBond::form()
     npartner[i] = family[i].size();
     std::copy(family[i].begin(), family[i].end(), partner[i]);
     std::fill(state[i], state[i] + npartner[i], (unsigned char) INTACT);
-    own_tag[i] = atom->tag[i];
+    own_tag[i] = first_tag[i] = atom->tag[i];
     atom->damage[i] = 0.0;
   }
   bonds_formed = true;

@@ -58,6 +58,8 @@ class FixTMSPHBond : public Fix {
   int count(int i) const { return npartner[i]; }
   tagint partner_tag(int i, int k) const { return partner[i][k]; }
   State bond_state(int i, int k) const { return (State) state[i][k]; }
+  /// id that local particle i had when the bonds formed; reset_atoms does not change it
+  tagint first_id(int i) const { return first_tag[i]; }
   /// local or ghost index of partner k of local particle i; i itself where it is not at hand
   int partner_index(int i, int k) const
   {
@@ -90,7 +92,8 @@ class FixTMSPHBond : public Fix {
   int *npartner;                // bonds of each particle at formation, less those of deleted ones
   tagint **partner;             // ids, ascending
   unsigned char **state;
-  tagint *own_tag;              // id of the particle when its bonds formed; 0: it had none yet
+  tagint *own_tag;              // id of the particle at the last setup; 0: it has no bonds yet
+  tagint *first_tag;            // id when its bonds formed: it draws the random numbers
   // Velocity Verlet evaluates forces at half-step velocities, but a setup has only those of the full
   // step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2], and
   // the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.

@@ -24,7 +24,7 @@ using namespace LAMMPS_NS;
 double FixTMSPHBond::memory_usage()
 {
   const double nmax = atom->nmax;
-  return nmax * (sizeof(int) + sizeof(tagint) + maxpartner * (sizeof(tagint) + 1.0)) +
+  return nmax * (sizeof(int) + 2 * sizeof(tagint) + maxpartner * (sizeof(tagint) + 1.0)) +
       (lag ? nmax * 6 * sizeof(double) : 0.0) + xref.capacity() * sizeof(double) + slices.bytes();
 }
 
@@ -34,6 +34,7 @@ void FixTMSPHBond::grow_arrays(int nmax)
 {
   memory->grow(npartner, nmax, "tmsph/bond:npartner");
   memory->grow(own_tag, nmax, "tmsph/bond:own_tag");
+  memory->grow(first_tag, nmax, "tmsph/bond:first_tag");
   memory->grow(partner, nmax, maxpartner, "tmsph/bond:partner");
   memory->grow(state, nmax, maxpartner, "tmsph/bond:state");
   if (lag) memory->grow(lag, nmax, 6, "tmsph/bond:lag");
@@ -46,7 +47,7 @@ void FixTMSPHBond::want_lag()
   if (lag) return;
   memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
   for (int i = 0; i < atom->nlocal; i++) std::fill(lag[i], lag[i] + 6, NAN);
-  maxexchange = 2 + 2 * maxpartner + 6;
+  maxexchange = 3 + 2 * maxpartner + 6;
 }
 
 /* ----------------------------------------------------------------------
@@ -56,7 +57,7 @@ void FixTMSPHBond::want_lag()
 void FixTMSPHBond::resize_partners(int length)
 {
   maxpartner = length;
-  maxexchange = 2 + 2 * maxpartner + (lag ? 6 : 0);
+  maxexchange = 3 + 2 * maxpartner + (lag ? 6 : 0);
   memory->destroy(partner);
   memory->destroy(state);
   memory->create(partner, atom->nmax, maxpartner, "tmsph/bond:partner");
@@ -69,6 +70,7 @@ void FixTMSPHBond::copy_arrays(int i, int j, int /*delflag*/)
 {
   npartner[j] = npartner[i];
   own_tag[j] = own_tag[i];
+  first_tag[j] = first_tag[i];
   std::copy(partner[i], partner[i] + npartner[i], partner[j]);
   std::copy(state[i], state[i] + npartner[i], state[j]);
   if (lag) std::copy(lag[i], lag[i] + 6, lag[j]);
@@ -79,18 +81,19 @@ void FixTMSPHBond::copy_arrays(int i, int j, int /*delflag*/)
 void FixTMSPHBond::set_arrays(int i)
 {
   npartner[i] = 0;
-  own_tag[i] = 0;
+  own_tag[i] = first_tag[i] = 0;
   if (lag) std::fill(lag[i], lag[i] + 6, NAN);
 }
 
 /* ----------------------------------------------------------------------
-   own id, number of bonds, then id and state of each, then the velocities
+   own ids, number of bonds, then id and state of each, then the velocities
 ------------------------------------------------------------------------- */
 
 int FixTMSPHBond::pack_exchange(int i, double *buf)
 {
   int m = 0;
   buf[m++] = ubuf(own_tag[i]).d;
+  buf[m++] = ubuf(first_tag[i]).d;
   buf[m++] = ubuf(npartner[i]).d;
   for (int k = 0; k < npartner[i]; k++) {
     buf[m++] = ubuf(partner[i][k]).d;
@@ -107,6 +110,7 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
 {
   int m = 0;
   own_tag[nlocal] = (tagint) ubuf(buf[m++]).i;
+  first_tag[nlocal] = (tagint) ubuf(buf[m++]).i;
   npartner[nlocal] = (int) ubuf(buf[m++]).i;
   for (int k = 0; k < npartner[nlocal]; k++) {
     partner[nlocal][k] = (tagint) ubuf(buf[m++]).i;
@@ -197,12 +201,12 @@ void FixTMSPHBond::unpack_restart(int nlocal, int nth)
 
 int FixTMSPHBond::size_restart(int i)
 {
-  return 3 + 2 * npartner[i] + (lag ? 6 : 0);
+  return 4 + 2 * npartner[i] + (lag ? 6 : 0);
 }
 
 /* ---------------------------------------------------------------------- */
 
 int FixTMSPHBond::maxsize_restart()
 {
-  return 3 + 2 * maxpartner + (lag ? 6 : 0);
+  return 4 + 2 * maxpartner + (lag ? 6 : 0);
 }
