@@ -13,19 +13,6 @@ INCLUSION, RADIUS, TEMPERATURE = 0.015, 0.050, 1.0
 FAR = 0.006    # from interface and rim
 
 
-def materials(swapped):
-    inner, outer = (1e-5, 1.5e-5) if swapped else (1.5e-5, 1e-5)
-    return material(40e9, 0.3, 2700, inner), material(20e9, 0.2, 2700, outer)
-
-
-def contact_pressure(pair, plane, a, R):
-    E, nu, alpha = (np.array([m[key] for m in pair]) for key in ("young", "poisson", "expansion"))
-    if plane == "strain":
-        E, nu, alpha = E / (1 - nu**2), nu / (1 - nu), (1 + nu) * alpha
-    shell = a**2 / (R**2 - a**2) * ((1 - nu[1]) + (1 + nu[1]) * R**2 / a**2) / E[1]
-    return (alpha[0] - alpha[1]) * TEMPERATURE / ((1 - nu[0]) / E[0] + shell)
-
-
 class Disc:
     def __init__(self, plane, swapped, spacing):
         cells = (2 * int(RADIUS / spacing) + 4, 2 * int(RADIUS / spacing / 3**0.5) + 4)
@@ -36,8 +23,8 @@ class Disc:
         cloud.type[~inside] = 2
         self.V = V = cloud.volume
         self.a, self.R = (V[inside].sum() / np.pi) ** 0.5, (V.sum() / np.pi) ** 0.5
-        pair = materials(swapped)
-        self.p = contact_pressure(pair, plane, self.a, self.R)
+        pair = disc_materials(swapped)
+        self.p = contact_pressure(pair, plane, self.a, self.R, TEMPERATURE)
         scene = Scene(cloud, pair, f"plane {plane}")
         scene.add("compute p all tmsph/property/atom sxx syy sxy\nthermo_style custom step fnorm\n"
                   f"thermo 1000\nrun 0\nset group all temperature {TEMPERATURE}")
@@ -53,10 +40,7 @@ class Disc:
         c, s = np.divide([x, y], r, out=np.stack([np.ones_like(x), np.zeros_like(x)]), where=r > 0)
         radial = c * c * sxx + s * s * syy + 2 * c * s * sxy
         hoop = s * s * sxx + c * c * syy - 2 * c * s * sxy
-        A = self.p * self.a**2 / (self.R**2 - self.a**2)
-        ratio = (self.R / np.maximum(r, 0.1 * self.a)) ** 2
-        exact_radial = np.where(inside, -self.p, A * (1 - ratio))
-        exact_hoop = np.where(inside, -self.p, A * (1 + ratio))
+        exact_radial, exact_hoop = disc_polar_stress(self.p, self.a, self.R, r, inside)
         square = 0.5 * ((radial - exact_radial) ** 2 + (hoop - exact_hoop) ** 2) / self.p**2
 
         def norm(chosen):

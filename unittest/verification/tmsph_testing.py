@@ -90,6 +90,39 @@ def material(young=40e9, poisson=0.3, density=2700.0, expansion=0.0):
     return dict(young=young, poisson=poisson, density=density, expansion=expansion)
 
 
+def disc_materials(swapped):
+    """Inclusion and matrix of Mu et al. (2022), Table 1."""
+    inner, outer = (1e-5, 1.5e-5) if swapped else (1.5e-5, 1e-5)
+    return material(40e9, 0.3, 2700, inner), material(20e9, 0.2, 2700, outer)
+
+
+def contact_pressure(pair, plane, a, R, heating):
+    """Between an inclusion of radius a and a matrix of radius R (Lame)."""
+    E, nu, alpha = (np.array([m[key] for m in pair]) for key in ("young", "poisson", "expansion"))
+    if plane == "strain":
+        E, nu, alpha = E / (1 - nu**2), nu / (1 - nu), (1 + nu) * alpha
+    shell = a**2 / (R**2 - a**2) * ((1 - nu[1]) + (1 + nu[1]) * R**2 / a**2) / E[1]
+    return (alpha[0] - alpha[1]) * heating / ((1 - nu[0]) / E[0] + shell)
+
+
+def disc_polar_stress(p, a, R, r, inside):
+    """Radial and hoop stress at radii r under the contact pressure p."""
+    A = p * a**2 / (R**2 - a**2)
+    ratio = (R / np.maximum(r, 0.1 * a)) ** 2
+    return np.where(inside, -p, A * (1 - ratio)), np.where(inside, -p, A * (1 + ratio))
+
+
+def disc_stress(pair, plane, a, R, X, inside):
+    """xx, yy and xy of the heated disc per degree, in columns."""
+    x, y = X.T
+    radial, hoop = disc_polar_stress(contact_pressure(pair, plane, a, R, 1.0), a, R, np.hypot(x, y),
+                                     inside)
+    angle = np.arctan2(y, x)
+    c, s = np.cos(angle), np.sin(angle)
+    return np.stack([c * c * radial + s * s * hoop, s * s * radial + c * c * hoop,
+                     c * s * (radial - hoop)], axis=1)
+
+
 class Script:
     """An input script and the files that it names."""
 

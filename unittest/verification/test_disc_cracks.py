@@ -1,0 +1,157 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""The heated disc of examples/disc at 1 mm, three draws of the strengths, and the
+expansions exchanged. First break against the exact elastic field with the drawn
+strengths, lengths and number of the radial cracks, the circumferential crack, and
+that nothing flies apart or passes through another. Paths depend on the draw: what is
+tested are temperatures and counts.
+
+A particle is in a crack when a quarter of its bonds is broken: a straight crack takes
+two fifths of the bonds of the particles along it. Cracks are clusters of such particles
+in the matrix, nearer than 1.8 spacings (the second neighbors). A main crack crosses the
+circle 10 mm outside the interface."""
+
+from tmsph_testing import *
+
+EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "disc" / "in.disc"
+SPACING, MI = 1e-3, 7.0
+SEEDS = (4711, 1, 2)
+IN_CRACK, LINK = 0.25, 1.8 * SPACING
+
+
+def clusters(X, link):
+    """The index of a member of its cluster for each point."""
+    label = np.arange(len(X))
+    if not len(X):
+        return label
+    i, j = np.nonzero(np.linalg.norm(X[:, None] - X[None], axis=2) < link)
+    while True:
+        lower = label.copy()
+        np.minimum.at(lower, i, label[j])
+        if np.array_equal(lower, label):
+            return label
+        label = lower
+
+
+def closest(X, reach):
+    """The shortest distance between two points if it is below reach, else reach."""
+    order = np.argsort(X[:, 0])
+    X, least = X[order], reach
+    for shift in range(1, len(X)):
+        gap = X[shift:] - X[:-shift]
+        near = gap[:, 0] < reach
+        if not near.any():
+            break
+        least = min(least, np.linalg.norm(gap[near], axis=1).min())
+    return least
+
+
+class Disc:
+    """One run of the example, to 260 degrees."""
+
+    def __init__(self, seed, swapped=False):
+        scene = Script(f"variable seed index {seed}\nvariable mi index {MI}\n"
+                       f"variable swap index {'yes' if swapped else 'no'}\nvariable dump index 0\n"
+                       f"variable dx index {SPACING}\ninclude {EXAMPLE}")
+        scene.add("compute q all tmsph/property/atom x0 y0 strength\n"
+                  "compute b all tmsph/bond/local id1 id2\nrun 0")
+        scene.snapshot("end", "type x y vx vy c_q[*]")
+        scene.add("write_dump all local events.local f_break[*]\n"
+                  "write_dump all local bonds.local c_b[*]")
+        run = scene.run(2)
+        self.swapped, self.end = swapped, run.frame("end")
+        self.X, self.strength = self.end("c_q[1] c_q[2]"), self.end["c_q[3]"]
+        self.inside = self.end["type"] == 1
+        self.bonds = np.stack(list(run.frame("bonds").values()), axis=1)[:, :2].astype(int) - 1
+        events = run.frame("events")
+        self.broken = events("f_break[1] f_break[2]").astype(int) - 1
+        self.place, self.T = events("f_break[5] f_break[6]"), events["f_break[13]"]
+        self.family = np.bincount(self.bonds.ravel(), minlength=len(self.X))
+        tables = run.tables
+        self.kinetic = max(table["KinEng"].max() for table in tables)
+        self.elastic = max(table["PotEng"].max() for table in tables)
+        self.r = np.hypot(*self.X.T)
+        cell = SPACING**2 * 3**0.5 / 2
+        self.a, self.R = np.sqrt(np.array([self.inside.sum(), len(self.X)]) * cell / np.pi)
+
+    def exact_first_break(self):
+        """The temperature at which the first bond fails in the exact field: the mean stress of
+        its ends, each with that of its own material, and their mean strength. a = 1/2, s = 1."""
+        stress = disc_stress(disc_materials(self.swapped), "strain", self.a, self.R, self.X, self.inside)
+        xx, yy, xy = 0.5 * (stress[self.bonds[:, 0]] + stress[self.bonds[:, 1]]).T
+        radius = np.hypot(0.5 * (xx - yy), xy)
+        pull = MI * (0.5 * (xx + yy) + radius)
+        load = (pull + np.sqrt(pull**2 + 16 * radius**2)) / self.strength[self.bonds].sum(axis=1)
+        return 1 / load.max()
+
+    def in_cracks(self, T):
+        """Indices of the matrix particles in cracks, and their clusters."""
+        lost = np.bincount(self.broken[self.T <= T].ravel(), minlength=len(self.X))
+        members = np.nonzero((lost > IN_CRACK * self.family) & ~self.inside)[0]
+        return members, clusters(self.X[members], LINK)
+
+    def reach(self, T):
+        """How far out a crack that starts at the interface has come."""
+        members, label = self.in_cracks(T)
+        tips = [0.0]
+        for cluster in np.unique(label):
+            r = self.r[members[label == cluster]]
+            if r.min() < self.a + HORIZON * SPACING:
+                tips.append(r.max())
+        return max(tips)
+
+    def temperature_at(self, radius):
+        """When a crack comes so far out; to one degree."""
+        low, high = 0.0, 261.0
+        if self.reach(high) < radius:
+            return np.inf
+        while high - low > 1.0:
+            middle = 0.5 * (low + high)
+            low, high = (low, middle) if self.reach(middle) >= radius else (middle, high)
+        return high
+
+    def main_cracks(self):
+        members, _ = self.in_cracks(np.inf)
+        ring = members[np.abs(self.r[members] - self.a - 0.010) < SPACING]
+        return len(np.unique(clusters(self.X[ring], LINK)))
+
+
+def sound(report, what, disc):
+    report.below(f"{what}: largest kinetic energy/largest potential energy",
+                 disc.kinetic / disc.elastic, 1.0)
+    finite = all(np.isfinite(column).all() for column in disc.end.values())
+    report.true(f"{what}: all finite", finite, "at the end")
+    report.above(f"{what}: shortest distance/spacing",
+                 closest(disc.end("x y"), 2 * SPACING) / SPACING, 0.5)
+
+
+def radial(report, seed):
+    disc = Disc(seed)
+    what = f"seed {seed}"
+    exact = disc.exact_first_break()
+    report.below(f"{what}: first break at {disc.T.min():.2f}, exact field {exact:.2f}, difference",
+                 abs(disc.T.min() / exact - 1), 0.04)
+    report.within(f"{what}: crack 5 mm beyond the interface", disc.temperature_at(disc.a + 0.005),
+                  160, 180)
+    report.within(f"{what}: crack through to the rim", disc.temperature_at(disc.R - 2 * SPACING),
+                  220, 260)
+    report.within(f"{what}: main cracks", disc.main_cracks(), 2, 5)
+    sound(report, what, disc)
+
+
+def circumferential(report, seed):
+    disc = Disc(seed, swapped=True)
+    what = f"exchanged, seed {seed}"
+    r, angle = np.hypot(*disc.place.T), np.degrees(np.arctan2(*disc.place.T[::-1])) % 360
+    along = (np.abs(r - disc.a) < 1.5 * SPACING) & (disc.T <= 200)
+    report.within(f"{what}: angular bins of 72 with broken bonds at the interface at 200 degrees",
+                  len(np.unique(angle[along] // 5)), 40, 72)
+    report.true(f"{what}: no crack to the rim", disc.temperature_at(disc.R - 2 * SPACING) == np.inf,
+                f"first break at {disc.T.min():.2f}, exact field {disc.exact_first_break():.2f}")
+    sound(report, what, disc)
+
+
+report = Report()
+for seed in SEEDS:
+    radial(report, seed)
+circumferential(report, SEEDS[0])
+report.finish()
