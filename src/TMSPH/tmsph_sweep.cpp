@@ -150,7 +150,7 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
 
 template <int D, bool THERMAL, bool HOURGLASS, bool VISCOUS, bool VIRIAL>
 void force(const Slices &bonds, const Viscosity &viscosity, const double *kinematic,
-           const double *force_row, double *f, double *virial)
+           const double *force_row, double *out)
 {
   using R = Rows<D>;
   // without hourglass and viscosity 2-D needs B only: half the row
@@ -158,6 +158,9 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
       : D == 3 && !VISCOUS                                  ? 12
                                                             : R::FORCE;
   const double h = viscosity.smoothing_length;
+  // speed and density below are sums of both ends
+  const double alpha1 = 0.25 * viscosity.alpha1 / viscosity.kappa;
+  const double alpha2 = 0.5 * viscosity.alpha2 / viscosity.kappa;
   for (int q = 0; q < bonds.count(); q++) {
     const Own<D> own(bonds, q, kinematic);
     const int *particle = bonds.particle.data() + q * WIDTH;
@@ -189,7 +192,6 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
         for (int k = 0; k < D; k++)
           x[k] = bond.X[k] + (other[R::U + k] - own.row[R::U + k]);
       if constexpr (VISCOUS) {
-        // rho (alpha1 c mu - alpha2 mu^2 on approach) |X|/kappa e, mu = h v.x/(r^2 + 0.01 h^2)
         Lanes r2 = x[0] * x[0], X2 = bond.X[0] * bond.X[0];
         Lanes rate = (his[R::V] - mine[R::V]) * x[0];
         for (int k = 1; k < D; k++) {
@@ -202,13 +204,11 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
         const Lanes *const j_end = D == 2 ? other : his;
         const Lanes speed = i_end[R::SPEED] + j_end[R::SPEED];
         const Lanes density = i_end[R::DENSITY] + j_end[R::DENSITY];
-        const Lanes kappa = mine[R::KAPPA] + his[R::KAPPA];
         r2 += 1.0e-300;    // pads have x = 0
         const Lanes soft = r2 + 0.01 * h * h;
         const Lanes mu = h * rate / soft;
-        const Lanes factor = mu * density *
-            (0.5 * viscosity.alpha1 * speed - viscosity.alpha2 * minimum(mu, broadcast(0.0))) *
-            square_root(X2 / r2) / kappa;
+        const Lanes factor = mu * density * square_root(X2 / r2) *
+            (alpha1 * speed - alpha2 * minimum(mu, broadcast(0.0)));
         for (int k = 0; k < D; k++) t[k] += factor * x[k];
       }
       for (int i = 0; i < D; i++) {
@@ -224,12 +224,12 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
     }
     for (int l = 0; l < bonds.valid[q]; l++) {
       const size_t i = particle[l];
-      for (int k = 0; k < D; k++) f[3 * i + k] += total[k][l];
       if constexpr (VIRIAL) {
-        double *v = virial + 6 * i;
+        double *v = out + 6 * i;
         for (int k = 0; k < D; k++) v[k] += 0.5 * work[k][l];
         for (int k = 0; k < D * (D - 1) / 2; k++) v[3 + k] += 0.5 * work[D + k][l];
-      }
+      } else
+        for (int k = 0; k < D; k++) out[3 * i + k] += total[k][l];
     }
   }
 }
@@ -290,6 +290,16 @@ template <class FN> void with_bool(bool value, FN fn)
     fn(std::false_type());
 }
 
+/// The same for what a force depends on.
+template <class FN> void with_features(const Features &on, FN fn)
+{
+  with_bool(on.thermal == ThermalStrain::BOND, [&](auto thermal) {
+    with_bool(on.hourglass, [&](auto hourglass) {
+      with_bool(on.viscosity, [&](auto viscous) { fn(thermal, hourglass, viscous); });
+    });
+  });
+}
+
 }    // namespace
 
 template <int D>
@@ -303,17 +313,20 @@ void gradient_sweep(const Features &on, const Slices &bonds, int first_slice, in
 
 template <int D>
 void force_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
-                 const double *kinematic, const double *force_row, double *f, double *virial)
+                 const double *kinematic, const double *force_row, double *f)
 {
-  with_bool(on.thermal == ThermalStrain::BOND, [&](auto thermal) {
-    with_bool(on.hourglass, [&](auto hourglass) {
-      with_bool(on.viscosity, [&](auto viscous) {
-        with_bool(virial != nullptr, [&](auto work) {
-          force<D, thermal(), hourglass(), viscous(), work()>(bonds, viscosity, kinematic,
-                                                              force_row, f, virial);
-        });
-      });
-    });
+  with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
+    force<D, thermal(), hourglass(), viscous(), false>(bonds, viscosity, kinematic, force_row, f);
+  });
+}
+
+template <int D>
+void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
+                  const double *kinematic, const double *force_row, double *virial)
+{
+  with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
+    force<D, thermal(), hourglass(), viscous(), true>(bonds, viscosity, kinematic, force_row,
+                                                      virial);
   });
 }
 
@@ -330,10 +343,14 @@ template void gradient_sweep<2>(const Features &, const Slices &, int, int, cons
                                 const GradientOutput &);
 template void gradient_sweep<3>(const Features &, const Slices &, int, int, const double *,
                                 const GradientOutput &);
-template void force_sweep<2>(const Features &, const Slices &, const Viscosity &,
-                             const double *, const double *, double *, double *);
-template void force_sweep<3>(const Features &, const Slices &, const Viscosity &,
-                             const double *, const double *, double *, double *);
+template void force_sweep<2>(const Features &, const Slices &, const Viscosity &, const double *,
+                             const double *, double *);
+template void force_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
+                             const double *, double *);
+template void virial_sweep<2>(const Features &, const Slices &, const Viscosity &, const double *,
+                             const double *, double *);
+template void virial_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
+                             const double *, double *);
 template void energy_sweep<2>(const Features &, const Slices &, const double *, double *);
 template void energy_sweep<3>(const Features &, const Slices &, const double *, double *);
 
