@@ -29,7 +29,8 @@ using TMSPH::WIDTH;
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), period{0.0, 0.0, 0.0},
-    natoms_at_setup(0), version(0), what_to_send(REFERENCE)
+    natoms_at_setup(0),
+    bonds_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
 {
   if (narg != 3) error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph");
   restart_global = 1;
@@ -116,6 +117,11 @@ void FixTMSPHBond::form()
   pair->complete_particles();
   const int *periodicity = domain->periodicity;
   const double horizon = pair->horizon();
+  if (comm->get_comm_cutoff() < horizon)
+    error->all(FLERR,
+               "The ghost cutoff {} is shorter than the horizon {} of pair style tmsph: raise it "
+               "with comm_modify cutoff",
+               comm->get_comm_cutoff(), horizon);
   for (int k = 0; k < 3; k++) {
     period[k] = periodicity[k] && k < domain->dimension ? domain->prd[k] : 0.0;
     if (period[k] > 0.0 && period[k] < 2.0 * horizon)
@@ -164,6 +170,26 @@ void FixTMSPHBond::form()
   }
   bonds_formed = true;
   natoms_at_setup = atom->natoms;
+  check_families();
+}
+
+/* ----------------------------------------------------------------------
+   a strain needs d+1 particles: dust is allowed, a horizon too short is not
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::check_families() const
+{
+  bigint few = 0, all;
+  for (int i = 0; i < atom->nlocal; i++) few += npartner[i] < domain->dimension;
+  MPI_Allreduce(&few, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all > atom->natoms / 2)
+    error->all(FLERR,
+               "{} of {} particles have fewer than {} neighbors within the horizon {}: it should be "
+               "about 3 particle spacings",
+               all, atom->natoms, domain->dimension, pair->horizon());
+  if (all && comm->me == 0)
+    error->warning(FLERR, "{} particles have fewer than {} neighbors and carry no stress", all,
+                   domain->dimension);
 }
 
 /* ----------------------------------------------------------------------

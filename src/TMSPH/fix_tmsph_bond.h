@@ -34,6 +34,7 @@ class FixTMSPHBond : public Fix {
   void init() override;
   void init_list(int, class NeighList *) override;
   void setup_post_neighbor() override;
+  void setup(int) override;
   void post_neighbor() override;
   void min_post_neighbor() override { post_neighbor(); }
 
@@ -69,6 +70,8 @@ class FixTMSPHBond : public Fix {
   bool joined(int i, tagint id) const;
   /// takes the bond from this end; whoever decides must decide alike at the other end
   void remove_bond(int i, int k, State why);
+  /// bonds were removed outside a force evaluation: shape matrices must follow
+  void changed() { version++; }
   /// sets atom->damage of local particle i from its broken bonds
   void update_damage(int i);
   /// number of bonds (each counted once) in a state, on all processors
@@ -87,6 +90,9 @@ class FixTMSPHBond : public Fix {
   tagint *own_tag;              // id of the particle when its bonds formed; 0: it had none yet
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
+  bigint bonds_at_estimate;     // intact bonds when the time step was estimated last
+  double stable_timestep;
+  bool reported;
   int version;
 
   std::vector<double> xref;     // [nlocal+nghost][3]
@@ -99,6 +105,9 @@ class FixTMSPHBond : public Fix {
   void send_references();
   void lay_out(bool at_setup);
   int find_partner(int, tagint) const;
+  void check_families() const;
+  void check_timestep();
+  void report();
   void resize_partners(int);
 };
 

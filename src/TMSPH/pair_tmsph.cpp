@@ -54,7 +54,10 @@ template <int D> void PairTMSPH::evaluate()
   GradientOutput out;
   out.force_row = force_row.data();
   out.inverted = &inverted;
-  if (testing) out.stress = stress.data();
+  if (testing) {
+    out.stress = stress.data();
+    out.inverted_breaks = true;
+  }
   gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
   if (inverted >= 0) stop_inverted<D>(inverted);
   if (testing) test_bonds<D>();
@@ -144,8 +147,11 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   own[WIDTH * entry++] = m.lambda;
   own[WIDTH * entry++] = m.shear;
   own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young;
-  if (&bonds == &slices())
-    force_row[(size_t) i * R::FORCE + R::KAPPA] = K.trace() / (D * atom->vfrac[i]);
+  if (&bonds == &slices() && l < bonds.valid[q]) {    // a pad has no bonds
+    // a particle without bonds uses its kappa nowhere, but 0/0 must not arise from it
+    const double trace = K.trace();
+    force_row[(size_t) i * R::FORCE + R::KAPPA] = trace > 0.0 ? trace / (D * atom->vfrac[i]) : 1.0;
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -249,10 +255,11 @@ template <int D> void PairTMSPH::update_velocities()
    own-side stress of the local particles, replacing that over all bonds
 ------------------------------------------------------------------------- */
 
-template <int D> void PairTMSPH::compute_stress()
+template <int D> void PairTMSPH::own_side_stress(bool inverted_breaks)
 {
   GradientOutput out;
   out.stress = stress.data();
+  out.inverted_breaks = inverted_breaks;
   gradient_sweep<D>(on, own_side, 0, own_side.count(), kinematic.data(), out);
 }
 
@@ -263,7 +270,7 @@ template <int D> void PairTMSPH::compute_stress()
 
 template <int D> void PairTMSPH::test_bonds()
 {
-  compute_stress<D>();
+  own_side_stress<D>(true);
   send(STRESS);
   touched.clear();
   break_test->break_bonds(stress.data(), touched);
@@ -310,7 +317,7 @@ PairTMSPH::Fields PairTMSPH::fields()
     out.stress = stress.data();
     out.gradient = gradient.data();
     gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
-    compute_stress<D>();
+    own_side_stress<D>(false);
   };
   if (domain->dimension == 2)
     fill(std::integral_constant<int, 2>());

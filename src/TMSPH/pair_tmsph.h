@@ -19,6 +19,7 @@ PairStyle(tmsph,PairTMSPH);
 #include "tmsph_kernel.h"
 #include "tmsph_sweep.h"
 
+#include <string>
 #include <utility>
 
 namespace LAMMPS_NS {
@@ -75,7 +76,10 @@ class PairTMSPH : public Pair {
   /// masses, temperatures and checks of volumes, before the bonds form
   void complete_particles();
   void set_break_test(BreakTest *test) { break_test = test; }
+  bool breaks() const { return break_test != nullptr; }
   FixTMSPHBond *bonds() const { return bond_fix; }
+  /// what this scene uses, in words
+  std::string features() const;
 
   /** Own-side Cauchy stress and displacement gradient of the local particles in their present
       positions. Both are owned by the pair style and valid until its next call. */
@@ -90,7 +94,7 @@ class PairTMSPH : public Pair {
   double stress_zz(int i, double sxx, double syy) const;
   /// largest stable time step of the present state, by power iteration (collective)
   double stable_timestep();
-  /// doubles sent per ghost and step by the pair style itself, and bytes per local particle
+  /// doubles sent per ghost and step by the pair style itself
   int doubles_per_ghost() const;
 
  private:
@@ -124,7 +128,7 @@ class PairTMSPH : public Pair {
   template <int D> void update_velocities();
   template <int D> void evaluate();
   template <int D> void test_bonds();
-  template <int D> void compute_stress();
+  template <int D> void own_side_stress(bool inverted_breaks);
   template <int D> void stop_inverted(int);
   template <int D> double stable_timestep_in();
   void send(decltype(FORCE_ROWS));

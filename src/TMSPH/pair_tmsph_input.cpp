@@ -263,6 +263,22 @@ double PairTMSPH::init_one(int i, int j)
   return cutoff;
 }
 
+/* ---------------------------------------------------------------------- */
+
+std::string PairTMSPH::features() const
+{
+  std::string text = domain->dimension == 3 ? "3-D"
+      : plane == Plane::STRAIN              ? "plane strain"
+                                            : "plane stress";
+  text += on.law == Law::SVK ? ", St Venant-Kirchhoff" : ", Almansi";
+  if (on.thermal == ThermalStrain::BOND) text += ", thermal bonds";
+  if (on.thermal == ThermalStrain::CONSTITUTIVE) text += ", thermal strain";
+  if (on.hourglass) text += fmt::format(", hourglass {}", hourglass);
+  if (on.viscosity) text += fmt::format(", viscosity {} {}", viscosity.alpha1, viscosity.alpha2);
+  if (break_test) text += fmt::format(", breaking with {} doubles more per ghost", stress_size());
+  return text;
+}
+
 /* ----------------------------------------------------------------------
    density times volume is the mass; a mass that was given must agree.
    A temperature that was not given is the reference temperature.

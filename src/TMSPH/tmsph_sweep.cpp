@@ -115,11 +115,21 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
         THERMAL == ThermalStrain::CONSTITUTIVE ? own.thermal_strain() : broadcast(0.0);
     const Matrix<D, Lanes> P = first_piola<LAW>(H, own.lambda(), own.shear(), thermal);
     if (out.inverted) {
-      const auto fine = determinant(deformation(H)) > 0.0;    // false for NaN, too
+      const Lanes J = determinant(deformation(H));
+      const auto fine = out.inverted_breaks ? J == J : J > 0.0;    // both are false for NaN
       for (int l = 0; l < n; l++)
         if (!fine[l]) *out.inverted = particle[l];
     }
-    if (out.stress) store_stress(cauchy(P, deformation(H)), particle, n, out.stress);
+    if (out.stress) {
+      Matrix<D, Lanes> sigma = cauchy(P, deformation(H));
+      if (out.inverted_breaks) {
+        const auto turned = determinant(deformation(H)) <= 0.0;
+        for (int i = 0; i < D; i++)
+          for (int j = 0; j < D; j++)
+            sigma[i][j] = turned ? broadcast(i == j ? UNBEARABLE : 0.0) : sigma[i][j];
+      }
+      store_stress(sigma, particle, n, out.stress);
+    }
     if (out.gradient)
       for (int l = 0; l < n; l++)
         for (int k = 0; k < D * D; k++)
@@ -192,7 +202,7 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
         const Lanes *const j_end = D == 2 ? other : his;
         const Lanes speed = i_end[R::SPEED] + j_end[R::SPEED];
         const Lanes density = i_end[R::DENSITY] + j_end[R::DENSITY];
-        const Lanes kappa = mine[R::KAPPA] + his[R::KAPPA] + 1.0e-300;
+        const Lanes kappa = mine[R::KAPPA] + his[R::KAPPA];
         r2 += 1.0e-300;    // pads have x = 0
         const Lanes soft = r2 + 0.01 * h * h;
         const Lanes mu = h * rate / soft;

@@ -93,12 +93,17 @@ struct Slices {
 /** Cauchy stress row per particle: xx yy xy in 2-D, xx yy zz xy xz yz in 3-D. */
 template <int D> constexpr int STRESS_ROW = D == 2 ? 3 : 6;
 
+/// A tension that no bond survives, even in the mean with any other stress.
+constexpr double UNBEARABLE = 1.0e200;
+
 /** Optional outputs of the gradient sweep; nullptr leaves one out. */
 struct GradientOutput {
   double *force_row = nullptr;    ///< B and chi of each particle's force row
   double *stress = nullptr;       ///< [particle][STRESS_ROW]
   double *gradient = nullptr;     ///< [particle][D*D] H = F - I, row-major
   int *inverted = nullptr;        ///< set to a particle with det F <= 0 or NaN, if there is one
+  /// where bonds may break det F <= 0 is no error: the stress becomes UNBEARABLE in tension instead
+  bool inverted_breaks = false;
 };
 
 template <int D>

@@ -1,0 +1,175 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+------------------------------------------------------------------------- */
+
+#include "tmsph_cut.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_tmsph_bond.h"
+#include "force.h"
+#include "group.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "pair_tmsph.h"
+#include "tmsph_geometry.h"
+
+#include <cmath>
+#include <map>
+
+using namespace LAMMPS_NS;
+using TMSPH::Point2;
+using TMSPH::Point3;
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHCut::command(int narg, char **arg)
+{
+  if (narg < 2) utils::missing_cmd_args(FLERR, "tmsph/cut", error);
+  if (!domain->box_exist) error->all(FLERR, "Command tmsph/cut before the simulation box is defined");
+  const int igroup = group->find(arg[0]);
+  if (igroup < 0) error->all(FLERR, "Group {} of tmsph/cut does not exist: define it first", arg[0]);
+  const int groupbit = group->bitmask[igroup];
+  const Flaw crosses = read_flaw(narg - 1, arg + 1);
+
+  auto pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
+  if (!pair)
+    error->all(FLERR, "Command tmsph/cut needs pair style tmsph and its coefficients before it");
+  prepare_bonds();
+  FixTMSPHBond *bonds = pair->bonds();
+
+  // a bond across a periodic boundary is tried at both of its ends, by both ends alike
+
+  const auto in_box = [&](const double *x0, double *x) {
+    for (int k = 0; k < 3; k++) {
+      x[k] = x0[k];
+      if (domain->periodicity[k])
+        x[k] -= domain->prd[k] * std::floor((x0[k] - domain->boxlo[k]) / domain->prd[k]);
+    }
+  };
+  bigint mine = 0, all;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    for (int k = 0; k < bonds->count(i); k++) {
+      if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
+      const int j = bonds->partner_index(i, k);
+      if (!(atom->mask[j] & groupbit)) continue;
+      const bool upward = atom->tag[i] < atom->tag[j];
+      const int low = upward ? i : j, high = upward ? j : i;
+      double X[3], a[3], b[3], from_low[3], from_high[3];
+      bonds->reference_vector(low, high, X);
+      in_box(atom->x0[low], a);
+      in_box(atom->x0[high], b);
+      for (int c = 0; c < 3; c++) {
+        from_low[c] = a[c] + X[c];
+        from_high[c] = b[c] - X[c];
+      }
+      if (crosses(a, from_low) || crosses(from_high, b)) {
+        bonds->remove_bond(i, k, FixTMSPHBond::CUT);
+        mine++;
+      }
+    }
+  }
+  bonds->changed();
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (comm->me == 0) {
+    utils::logmesg(lmp, "Cut {} bonds\n", all / 2);
+    if (all == 0) error->warning(FLERR, "The flaw of tmsph/cut crosses no intact bond of group {}",
+                                 arg[0]);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   families must exist and ghosts be at hand: the steps of a run's setup
+------------------------------------------------------------------------- */
+
+void TMSPHCut::prepare_bonds()
+{
+  lmp->init();
+  domain->pbc();
+  domain->reset_box();
+  comm->setup();
+  if (neighbor->style) neighbor->setup_bins();
+  comm->exchange();
+  comm->borders();
+  neighbor->build(1);
+  modify->get_fix_by_id(FixTMSPHBond::ID)->setup_post_neighbor();
+}
+
+/* ----------------------------------------------------------------------
+   line x1 y1 x2 y2 | arc xc yc r from to | disc x y z nx ny nz r |
+   polygon n x1 y1 z1 ... xn yn zn
+------------------------------------------------------------------------- */
+
+TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
+{
+  const std::string shape = arg[0];
+  const std::map<std::string, std::pair<int, int>> shapes = {    // dimension, numbers
+      {"line", {2, 4}}, {"arc", {2, 5}}, {"disc", {3, 7}}, {"polygon", {3, 0}}};
+  const auto known = shapes.find(shape);
+  if (known == shapes.end())
+    error->all(FLERR, "Unknown shape '{}' of tmsph/cut: use line or arc in 2-D, disc or polygon in "
+                      "3-D",
+               shape);
+  if (known->second.first != domain->dimension)
+    error->all(FLERR, "Shape {} of tmsph/cut is for dimension {}: use {}", shape,
+               known->second.first, domain->dimension == 2 ? "line or arc" : "disc or polygon");
+  int numbers = known->second.second;
+  if (shape == "polygon") {
+    if (narg < 2) utils::missing_cmd_args(FLERR, "tmsph/cut polygon", error);
+    const int corners = utils::inumeric(FLERR, arg[1], false, lmp);
+    if (corners < 3)
+      error->all(FLERR, "A polygon of tmsph/cut needs at least 3 corners, not {}", arg[1]);
+    numbers = 1 + 3 * corners;
+  }
+  if (narg < 1 + numbers) utils::missing_cmd_args(FLERR, "tmsph/cut " + shape, error);
+  if (narg > 1 + numbers)
+    error->all(FLERR, "Unexpected word '{}' after tmsph/cut {}: it takes {} numbers",
+               arg[1 + numbers], shape, numbers);
+  std::vector<double> v;
+  for (int k = 0; k < numbers; k++) v.push_back(utils::numeric(FLERR, arg[1 + k], false, lmp));
+
+  if (shape == "line") {
+    const Point2 p(v[0], v[1]), q(v[2], v[3]);
+    if (p == q) error->all(FLERR, "The line of tmsph/cut has no length: give two different points");
+    return [p, q](const double *a, const double *b) {
+      return TMSPH::crosses_segment(Point2(a), Point2(b), p, q);
+    };
+  }
+  if (shape == "arc") {
+    const double radian = std::acos(-1.0) / 180.0;
+    const Point2 center(v[0], v[1]);
+    const double radius = v[2], start = v[3] * radian, sweep = (v[4] - v[3]) * radian;
+    if (radius <= 0.0) error->all(FLERR, "Radius {} of the tmsph/cut arc must be positive", arg[3]);
+    if (sweep <= 0.0 || v[4] - v[3] > 360.0)
+      error->all(FLERR,
+                 "The arc of tmsph/cut runs counterclockwise from {} to {} degrees: the second must "
+                 "be larger, by 360 at most",
+                 arg[4], arg[5]);
+    return [=](const double *a, const double *b) {
+      return TMSPH::crosses_arc(Point2(a), Point2(b), center, radius, start, sweep);
+    };
+  }
+  if (shape == "disc") {
+    const Point3 center(v[0], v[1], v[2]), normal(v[3], v[4], v[5]);
+    const double radius = v[6];
+    if (normal.norm() == 0.0) error->all(FLERR, "The normal of the tmsph/cut disc is zero");
+    if (radius <= 0.0)
+      error->all(FLERR, "Radius {} of the tmsph/cut disc must be positive", arg[7]);
+    return [=](const double *a, const double *b) {
+      return TMSPH::crosses_disc(Point3(a), Point3(b), center, normal, radius);
+    };
+  }
+  std::vector<Point3> corner;
+  for (size_t k = 1; k < v.size(); k += 3) corner.emplace_back(v[k], v[k + 1], v[k + 2]);
+  const Point3 area = TMSPH::polygon_normal(corner);
+  if (area.norm() == 0.0) error->all(FLERR, "The polygon of tmsph/cut has no area");
+  for (const Point3 &p : corner)
+    if (std::fabs(area.dot(p - corner[0])) > 1.0e-6 * std::pow(area.norm(), 1.5))
+      error->all(FLERR, "The polygon of tmsph/cut is not flat: split it into triangles");
+  return [corner](const double *a, const double *b) {
+    return TMSPH::crosses_polygon(Point3(a), Point3(b), corner);
+  };
+}

@@ -1,0 +1,37 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Command tmsph/cut: pre-existing flaws; the bonds that cross one are gone.
+------------------------------------------------------------------------- */
+
+#ifdef COMMAND_CLASS
+// clang-format off
+CommandStyle(tmsph/cut,TMSPHCut);
+// clang-format on
+#else
+
+#ifndef LMP_TMSPH_CUT_H
+#define LMP_TMSPH_CUT_H
+
+#include "command.h"
+
+#include <functional>
+
+namespace LAMMPS_NS {
+
+class TMSPHCut : public Command {
+ public:
+  TMSPHCut(class LAMMPS *lmp) : Command(lmp) {}
+  void command(int, char **) override;
+
+ private:
+  /// does the bond between two reference points cross the flaw?
+  using Flaw = std::function<bool(const double *, const double *)>;
+  Flaw read_flaw(int, char **);
+  void prepare_bonds();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif
