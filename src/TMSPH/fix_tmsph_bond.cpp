@@ -28,7 +28,8 @@ using TMSPH::WIDTH;
 
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
-    npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), period{0.0, 0.0, 0.0},
+    npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), lag(nullptr),
+    period{0.0, 0.0, 0.0},
     natoms_at_setup(0),
     bonds_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
 {
@@ -55,6 +56,7 @@ FixTMSPHBond::~FixTMSPHBond()
   memory->destroy(partner);
   memory->destroy(state);
   memory->destroy(own_tag);
+  memory->destroy(lag);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -70,6 +72,8 @@ void FixTMSPHBond::init()
 {
   pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
   if (!pair) error->all(FLERR, "The bonds of pair style tmsph are left without their pair style");
+
+  if (pair->viscous()) want_lag();
 
   // a neighbor list serves once, to form the families
 

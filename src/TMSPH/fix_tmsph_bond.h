@@ -35,6 +35,7 @@ class FixTMSPHBond : public Fix {
   void init_list(int, class NeighList *) override;
   void setup_post_neighbor() override;
   void setup(int) override;
+  void post_run() override;
   void post_neighbor() override;
   void min_post_neighbor() override { post_neighbor(); }
 
@@ -70,6 +71,8 @@ class FixTMSPHBond : public Fix {
   bool joined(int i, tagint id) const;
   /// takes the bond from this end; whoever decides must decide alike at the other end
   void remove_bond(int i, int k, State why);
+  /// velocity that the viscosity of a setup takes for local particle i, see lag below
+  const double *setup_velocity(int i) const;
   /// bonds were removed outside a force evaluation: shape matrices must follow
   void changed() { version++; }
   /// sets atom->damage of local particle i from its broken bonds
@@ -88,6 +91,10 @@ class FixTMSPHBond : public Fix {
   tagint **partner;             // ids, ascending
   unsigned char **state;
   tagint *own_tag;              // id of the particle when its bonds formed; 0: it had none yet
+  // Velocity Verlet evaluates forces at half-step velocities, but a setup has only those of the full
+  // step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2], and
+  // the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
+  double **lag;                 // allocated with viscosity only
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
   bigint bonds_at_estimate;     // intact bonds when the time step was estimated last
@@ -109,6 +116,8 @@ class FixTMSPHBond : public Fix {
   void check_timestep();
   void report();
   void resize_partners(int);
+  void want_lag();
+  void store_lag(int i);
 };
 
 }    // namespace LAMMPS_NS

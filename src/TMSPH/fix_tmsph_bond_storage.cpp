@@ -8,10 +8,13 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "memory.h"
+#include "pair_tmsph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -22,7 +25,7 @@ double FixTMSPHBond::memory_usage()
 {
   const double nmax = atom->nmax;
   return nmax * (sizeof(int) + sizeof(tagint) + maxpartner * (sizeof(tagint) + 1.0)) +
-      xref.capacity() * sizeof(double) + slices.bytes();
+      (lag ? nmax * 6 * sizeof(double) : 0.0) + xref.capacity() * sizeof(double) + slices.bytes();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -33,6 +36,17 @@ void FixTMSPHBond::grow_arrays(int nmax)
   memory->grow(own_tag, nmax, "tmsph/bond:own_tag");
   memory->grow(partner, nmax, maxpartner, "tmsph/bond:partner");
   memory->grow(state, nmax, maxpartner, "tmsph/bond:state");
+  if (lag) memory->grow(lag, nmax, 6, "tmsph/bond:lag");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::want_lag()
+{
+  if (lag) return;
+  memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
+  for (int i = 0; i < atom->nlocal; i++) std::fill(lag[i], lag[i] + 6, NAN);
+  maxexchange = 2 + 2 * maxpartner + 6;
 }
 
 /* ----------------------------------------------------------------------
@@ -42,7 +56,7 @@ void FixTMSPHBond::grow_arrays(int nmax)
 void FixTMSPHBond::resize_partners(int length)
 {
   maxpartner = length;
-  maxexchange = 2 + 2 * maxpartner;
+  maxexchange = 2 + 2 * maxpartner + (lag ? 6 : 0);
   memory->destroy(partner);
   memory->destroy(state);
   memory->create(partner, atom->nmax, maxpartner, "tmsph/bond:partner");
@@ -57,6 +71,7 @@ void FixTMSPHBond::copy_arrays(int i, int j, int /*delflag*/)
   own_tag[j] = own_tag[i];
   std::copy(partner[i], partner[i] + npartner[i], partner[j]);
   std::copy(state[i], state[i] + npartner[i], state[j]);
+  if (lag) std::copy(lag[i], lag[i] + 6, lag[j]);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -65,10 +80,11 @@ void FixTMSPHBond::set_arrays(int i)
 {
   npartner[i] = 0;
   own_tag[i] = 0;
+  if (lag) std::fill(lag[i], lag[i] + 6, NAN);
 }
 
 /* ----------------------------------------------------------------------
-   own id, number of bonds, then id and state of each
+   own id, number of bonds, then id and state of each, then the velocities
 ------------------------------------------------------------------------- */
 
 int FixTMSPHBond::pack_exchange(int i, double *buf)
@@ -80,6 +96,8 @@ int FixTMSPHBond::pack_exchange(int i, double *buf)
     buf[m++] = ubuf(partner[i][k]).d;
     buf[m++] = ubuf((int) state[i][k]).d;
   }
+  if (lag)
+    for (int k = 0; k < 6; k++) buf[m++] = lag[i][k];
   return m;
 }
 
@@ -94,7 +112,37 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
     partner[nlocal][k] = (tagint) ubuf(buf[m++]).i;
     state[nlocal][k] = (unsigned char) ubuf(buf[m++]).i;
   }
+  if (lag)
+    for (int k = 0; k < 6; k++) lag[nlocal][k] = buf[m++];
   return m;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::store_lag(int i)
+{
+  const double *taken = pair->step_velocity(i);
+  if (!taken) return;    // no step since the setup: what is stored still holds
+  for (int k = 0; k < 3; k++) {
+    lag[i][k] = k < domain->dimension ? taken[k] : 0.0;
+    lag[i][3 + k] = atom->v[i][k];
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::post_run()
+{
+  if (!lag) return;
+  for (int i = 0; i < atom->nlocal; i++) store_lag(i);
+}
+
+/* ---------------------------------------------------------------------- */
+
+const double *FixTMSPHBond::setup_velocity(int i) const
+{
+  const double *v = atom->v[i];
+  return std::equal(v, v + 3, lag[i] + 3) ? lag[i] : v;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -102,22 +150,23 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
 void FixTMSPHBond::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const double list[5] = {(double) bonds_formed, (double) maxpartner, period[0], period[1],
-                          period[2]};
+  const double list[6] = {(double) bonds_formed, (double) maxpartner, (double) (lag != nullptr),
+                          period[0],             period[1],           period[2]};
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(list, sizeof(double), 5, fp);
+  fwrite(list, sizeof(double), 6, fp);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHBond::restart(char *buf)
 {
-  double list[5];
+  double list[6];
   memcpy(list, buf, sizeof(list));
   bonds_formed = list[0] != 0.0;
   resize_partners((int) list[1]);
-  for (int k = 0; k < 3; k++) period[k] = list[2 + k];
+  if (list[2] != 0.0) want_lag();
+  for (int k = 0; k < 3; k++) period[k] = list[3 + k];
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
   natoms_at_setup = atom->natoms;
 }
@@ -127,6 +176,7 @@ void FixTMSPHBond::restart(char *buf)
 int FixTMSPHBond::pack_restart(int i, double *buf)
 {
   // LAMMPS wants the length first
+  if (lag) store_lag(i);
   buf[0] = size_restart(i);
   return 1 + pack_exchange(i, buf + 1);
 }
@@ -144,12 +194,12 @@ void FixTMSPHBond::unpack_restart(int nlocal, int nth)
 
 int FixTMSPHBond::size_restart(int i)
 {
-  return 3 + 2 * npartner[i];
+  return 3 + 2 * npartner[i] + (lag ? 6 : 0);
 }
 
 /* ---------------------------------------------------------------------- */
 
 int FixTMSPHBond::maxsize_restart()
 {
-  return 3 + 2 * maxpartner;
+  return 3 + 2 * maxpartner + (lag ? 6 : 0);
 }

@@ -42,7 +42,6 @@ void PairTMSPH::compute(int eflag, int vflag)
 
 template <int D> void PairTMSPH::evaluate()
 {
-  using R = Rows<D>;
   const int nlocal = atom->nlocal;
   if (prepared_version != bond_fix->layout_version()) prepare<D>();
   update_kinematics<D>();
@@ -63,14 +62,17 @@ template <int D> void PairTMSPH::evaluate()
   if (testing) test_bonds<D>();
   send(FORCE_ROWS);
 
-  virial_rows.assign(vflag_either ? 6 * (size_t) nlocal : 0, 0.0);
-  force_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), atom->f[0],
-                 vflag_either ? virial_rows.data() : nullptr);
-  for (size_t i = 0; i < virial_rows.size() / 6; i++)
-    for (int k = 0; k < 6; k++) {
-      if (vflag_global) virial[k] += virial_rows[6 * i + k];
-      if (vflag_atom) vatom[i][k] += virial_rows[6 * i + k];
-    }
+  force_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), atom->f[0]);
+  if (vflag_either) {
+    virial_rows.assign(6 * (size_t) nlocal, 0.0);
+    virial_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(),
+                    virial_rows.data());
+    for (int i = 0; i < nlocal; i++)
+      for (int k = 0; k < 6; k++) {
+        if (vflag_global) virial[k] += virial_rows[6 * (size_t) i + k];
+        if (vflag_atom) vatom[i][k] += virial_rows[6 * (size_t) i + k];
+      }
+  }
   if (break_test) {
     const double repulsion = break_test->repel(vflag_global ? virial : nullptr);
     if (eflag_global) eng_vdwl += repulsion;
@@ -247,8 +249,24 @@ template <int D> void PairTMSPH::update_kinematics()
 template <int D> void PairTMSPH::update_velocities()
 {
   using R = Rows<D>;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < D; k++) force_row[(size_t) i * R::FORCE + R::V + k] = atom->v[i][k];
+  static constexpr double REST[3] = {0.0, 0.0, 0.0};
+  const bool minimizing = update->whichflag == 2;    // looks for equilibrium: nothing moves
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *v = minimizing ? REST
+        : update->setupflag      ? bond_fix->setup_velocity(i)
+                                 : atom->v[i];
+    std::copy_n(v, D, force_row.data() + (size_t) i * R::FORCE + R::V);
+  }
+  stepped = !minimizing && !update->setupflag;
+}
+
+/* ---------------------------------------------------------------------- */
+
+const double *PairTMSPH::step_velocity(int i) const
+{
+  if (!stepped) return nullptr;
+  return force_row.data() + (domain->dimension == 2 ? (size_t) i * Rows<2>::FORCE + Rows<2>::V
+                                                    : (size_t) i * Rows<3>::FORCE + Rows<3>::V);
 }
 
 /* ----------------------------------------------------------------------

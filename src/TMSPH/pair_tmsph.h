@@ -76,6 +76,9 @@ class PairTMSPH : public Pair {
   /// masses, temperatures and checks of volumes, before the bonds form
   void complete_particles();
   void set_break_test(BreakTest *test) { break_test = test; }
+  bool viscous() const { return on.viscosity; }
+  /// velocity that the last step's viscosity took for local particle i; nullptr in a setup
+  const double *step_velocity(int i) const;
   bool breaks() const { return break_test != nullptr; }
   FixTMSPHBond *bonds() const { return bond_fix; }
   /// what this scene uses, in words
@@ -110,6 +113,7 @@ class PairTMSPH : public Pair {
   FixTMSPHBond *bond_fix;
   BreakTest *break_test;
 
+  bool stepped;                                   // the rows hold the velocities of a step
   int prepared_version;                           // layout that the arrays below belong to
   std::vector<double> kinematic, force_row;       // [nlocal+nghost][Rows::...]
   std::vector<double> stress, gradient, energy, virial_rows;

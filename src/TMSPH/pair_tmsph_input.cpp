@@ -32,7 +32,7 @@ static constexpr double MAX_POISSON = 0.45;
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr),
-    prepared_version(-1), what_to_send(FORCE_ROWS)
+    stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;

@@ -68,7 +68,7 @@ template <int D> double PairTMSPH::stable_timestep_in()
     send(FORCE_ROWS);
     f.assign(trial.size(), 0.0);
     force_sweep<D>(viscous ? on : elastic, slices(), linear, kinematic.data(), force_row.data(),
-                   f.data(), nullptr);
+                   f.data());
   };
 
   const auto largest_eigenvalue = [&](bool viscous) {
@@ -108,6 +108,7 @@ template <int D> double PairTMSPH::stable_timestep_in()
   const double stiffness = largest_eigenvalue(false);
   const double damping = on.viscosity ? largest_eigenvalue(true) : 0.0;
   prepared_version = -1;    // the rows hold trial values: fill them anew
+  stepped = false;
   if (!(stiffness > 0.0)) return HUGE_VAL;
   return 4.0 / (damping + std::sqrt(damping * damping + 4.0 * stiffness));
 }

@@ -150,7 +150,7 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
 
 template <int D, bool THERMAL, bool HOURGLASS, bool VISCOUS, bool VIRIAL>
 void force(const Slices &bonds, const Viscosity &viscosity, const double *kinematic,
-           const double *force_row, double *f, double *virial)
+           const double *force_row, double *out)
 {
   using R = Rows<D>;
   // without hourglass and viscosity 2-D needs B only: half the row
@@ -223,12 +223,12 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
     }
     for (int l = 0; l < bonds.valid[q]; l++) {
       const size_t i = particle[l];
-      for (int k = 0; k < D; k++) f[3 * i + k] += total[k][l];
       if constexpr (VIRIAL) {
-        double *v = virial + 6 * i;
+        double *v = out + 6 * i;
         for (int k = 0; k < D; k++) v[k] += 0.5 * work[k][l];
         for (int k = 0; k < D * (D - 1) / 2; k++) v[3 + k] += 0.5 * work[D + k][l];
-      }
+      } else
+        for (int k = 0; k < D; k++) out[3 * i + k] += total[k][l];
     }
   }
 }
@@ -289,6 +289,16 @@ template <class FN> void with_bool(bool value, FN fn)
     fn(std::false_type());
 }
 
+/// The same for what a force depends on.
+template <class FN> void with_features(const Features &on, FN fn)
+{
+  with_bool(on.thermal == ThermalStrain::BOND, [&](auto thermal) {
+    with_bool(on.hourglass, [&](auto hourglass) {
+      with_bool(on.viscosity, [&](auto viscous) { fn(thermal, hourglass, viscous); });
+    });
+  });
+}
+
 }    // namespace
 
 template <int D>
@@ -302,17 +312,20 @@ void gradient_sweep(const Features &on, const Slices &bonds, int first_slice, in
 
 template <int D>
 void force_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
-                 const double *kinematic, const double *force_row, double *f, double *virial)
+                 const double *kinematic, const double *force_row, double *f)
 {
-  with_bool(on.thermal == ThermalStrain::BOND, [&](auto thermal) {
-    with_bool(on.hourglass, [&](auto hourglass) {
-      with_bool(on.viscosity, [&](auto viscous) {
-        with_bool(virial != nullptr, [&](auto work) {
-          force<D, thermal(), hourglass(), viscous(), work()>(bonds, viscosity, kinematic,
-                                                              force_row, f, virial);
-        });
-      });
-    });
+  with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
+    force<D, thermal(), hourglass(), viscous(), false>(bonds, viscosity, kinematic, force_row, f);
+  });
+}
+
+template <int D>
+void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
+                  const double *kinematic, const double *force_row, double *virial)
+{
+  with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
+    force<D, thermal(), hourglass(), viscous(), true>(bonds, viscosity, kinematic, force_row,
+                                                      virial);
   });
 }
 
@@ -329,10 +342,14 @@ template void gradient_sweep<2>(const Features &, const Slices &, int, int, cons
                                 const GradientOutput &);
 template void gradient_sweep<3>(const Features &, const Slices &, int, int, const double *,
                                 const GradientOutput &);
-template void force_sweep<2>(const Features &, const Slices &, const Viscosity &,
-                             const double *, const double *, double *, double *);
-template void force_sweep<3>(const Features &, const Slices &, const Viscosity &,
-                             const double *, const double *, double *, double *);
+template void force_sweep<2>(const Features &, const Slices &, const Viscosity &, const double *,
+                             const double *, double *);
+template void force_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
+                             const double *, double *);
+template void virial_sweep<2>(const Features &, const Slices &, const Viscosity &, const double *,
+                             const double *, double *);
+template void virial_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
+                             const double *, double *);
 template void energy_sweep<2>(const Features &, const Slices &, const double *, double *);
 template void energy_sweep<3>(const Features &, const Slices &, const double *, double *);
 

@@ -115,11 +115,17 @@ struct Viscosity {
   double alpha1 = 0.0, alpha2 = 0.0, smoothing_length = 0.0;
 };
 
-/** Adds forces to f (stride 3). With virial != nullptr also adds each particle's half of
-    -sum x_ij f_ij to virial[particle][6] (xx yy zz xy xz yz). */
+/** Adds the forces to f (stride 3). */
 template <int D>
 void force_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
-                 const double *kinematic, const double *force_row, double *f, double *virial);
+                 const double *kinematic, const double *force_row, double *f);
+
+/** Adds each particle's half of -sum x_ij f_ij to virial[particle][6] (xx yy zz xy xz yz). A sweep
+    of its own: were it done along with the forces, the compiler would round those differently, and
+    a run that asks for the pressure would not be the same to the last bit as one that does not. */
+template <int D>
+void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
+                  const double *kinematic, const double *force_row, double *virial);
 
 /** Elastic and hourglass energy of each particle, written to energy[particle]. */
 template <int D>
