@@ -211,10 +211,11 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
             square_root(X2 / r2) / kappa;
         for (int k = 0; k < D; k++) t[k] += factor * x[k];
       }
-      for (int i = 0; i < D; i++) total[i] += weight * t[i];
+      for (int i = 0; i < D; i++) {
+        t[i] *= weight;
+        total[i] += t[i];
+      }
       if constexpr (VIRIAL) {
-        // weight goes to x: a product shared with the forces would round them differently
-        for (int k = 0; k < D; k++) x[k] *= weight;
         for (int i = 0, k = D; i < D; i++) {
           work[i] -= x[i] * t[i];
           for (int j = i + 1; j < D; j++) work[k++] -= 0.5 * (x[i] * t[j] + x[j] * t[i]);
