@@ -168,7 +168,8 @@ template <int D> struct Layout {
       }
       row[R::YOUNG] = p.material.young;
       row[R::THERMAL] = p.material.young * p.thermal;
-      end[R::KAPPA] = body.shape(i).trace() / (D * p.volume);
+      const double trace = body.shape(i).trace();
+      end[R::KAPPA] = trace > 0.0 ? trace / (D * p.volume) : 1.0;    // without bonds: any number
       (D == 2 ? row : end)[R::SPEED] = std::sqrt(p.material.wave_modulus / p.density);
       (D == 2 ? row : end)[R::DENSITY] = p.density;
     }

@@ -15,17 +15,20 @@ namespace TMSPH_TEST {
 
 template <int D> struct Answer {
   std::vector<Vector<D>> force;
-  std::vector<Square<D>> F, cauchy;    ///< F without the thermal stretch of the bonds
-  Square<D> virial = Square<D>::Zero();
-  double energy = 0.0;
-
-  double largest_force() const
-  {
-    double largest = 0.0;
-    for (const auto &f : force) largest = std::max(largest, f.norm());
-    return largest;
-  }
+  std::vector<Square<D>> F, cauchy;      ///< F without the thermal stretch of the bonds
+  std::vector<Square<D>> virial;         ///< half of -sum x_ij f_ij, symmetric part
+  std::vector<double> energy;
 };
+
+inline double size_of(double a) { return std::fabs(a); }
+template <class M> double size_of(const Eigen::MatrixBase<M> &a) { return a.norm(); }
+
+template <class List> double largest_of(const List &list)
+{
+  double largest = 0.0;
+  for (const auto &a : list) largest = std::max(largest, size_of(a));
+  return largest;
+}
 
 template <int D>
 Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zeta,
@@ -69,12 +72,12 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
       P = J * (lambda * e.trace() * one + 2.0 * mu * e) * F.transpose().inverse();
     }
     const double scale = on.law == TMSPH::Law::SVK ? 1.0 : J;
-    out.energy += V * scale *
+    double energy = V * scale *
         (0.5 * lambda * e.trace() * e.trace() + mu * (e.transpose() * e).trace());
     for (int j = 0; j < n; j++)
       if (j != i)
-        out.energy +=
-            0.5 * chi(i) * body.W(i, j) * (y(i, j) - F * (p[j].X - p[i].X)).squaredNorm();
+        energy += 0.5 * chi(i) * body.W(i, j) * (y(i, j) - F * (p[j].X - p[i].X)).squaredNorm();
+    out.energy.push_back(energy);
     PK[i] = P * inverse;
     out.F.push_back(F);
     out.cauchy.push_back(P * F.transpose() / J);
@@ -83,6 +86,7 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
   const double h = viscosity.smoothing_length;
   for (int i = 0; i < n; i++) {
     Vector<D> f = Vector<D>::Zero();
+    Square<D> virial = Square<D>::Zero();
     for (int j = 0; j < n; j++) {
       if (body.W(i, j) == 0.0f) continue;
       const Vector<D> X = p[j].X - p[i].X, x = p[j].X + p[j].u - p[i].X - p[i].u;
@@ -102,9 +106,10 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
       }
       t *= body.W(i, j);
       f += t;
-      if (j > i) out.virial -= x * t.transpose();
+      virial -= 0.25 * (x * t.transpose() + t * x.transpose());
     }
     out.force.push_back(f);
+    out.virial.push_back(virial);
   }
   return out;
 }
