@@ -12,7 +12,6 @@
 #include "force.h"
 #include "modify.h"
 #include "neigh_list.h"
-#include "neigh_request.h"
 #include "neighbor.h"
 #include "tmsph_random.h"
 #include "update.h"
@@ -140,10 +139,9 @@ void FixTMSPHHoekBrown::init()
   armed = false;
   version = -1;
 
-  // fragments may meet: pairs within half a horizon, the widest reach of a contact
+  // fragments may meet
 
-  neighbor->add_request(this, NeighConst::REQ_FULL)
-      ->set_cutoff(0.5 * pair->horizon() + neighbor->skin);
+  neighbor->add_request(this, NeighConst::REQ_FULL);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -187,9 +185,9 @@ void FixTMSPHHoekBrown::follow_layout()
         ? TMSPH::weibull_random(rock.strength, rock.modulus, atom->tag[i], rock.seed)
         : rock.strength;
   }
-  debris.measure(*bonds, 0.5 * pair->horizon());
+  debris.measure(*bonds);
   comm->forward_comm(this);
-  debris.list_candidates(*list, *bonds, *pair);
+  debris.list_candidates(*list, neighbor->skin, *bonds, *pair);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -236,6 +234,18 @@ Extremes FixTMSPHHoekBrown::extremes_of(int i, const double *stress) const
   return extremes(stress, all_principals ? pair->stress_zz(i, stress[0], stress[1]) : 0.0);
 }
 
+/* ---------------------------------------------------------------------- */
+
+bool FixTMSPHHoekBrown::may_fail(int i, const double *stress) const
+{
+  if (all_principals) return true;
+  static const double REACH_3D = 2.0 / std::sqrt(3.0);
+  const bool two = domain->dimension == 2;
+  const TMSPH::Invariants v = two ? TMSPH::invariants_2d(stress) : TMSPH::invariants_3d(stress);
+  return TMSPH::may_fail(v.mean, v.deviation2, two ? 1.0 : REACH_3D, strengths[i],
+                         rocks[atom->type[i]].constants);
+}
+
 /* ----------------------------------------------------------------------
    A bond is tested with the mean stress and the mean strength of its ends. The
    safe states of a rock form a convex set that scales with its strength, so a
@@ -255,7 +265,8 @@ void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touc
   beyond.resize(nall);
   bool any = !one_rock;
   for (int i = 0; i < nall; i++) {
-    beyond[i] = TMSPH::fails(extremes_of(i, row(i)), strengths[i], rocks[type[i]].constants);
+    beyond[i] = may_fail(i, row(i)) &&
+        TMSPH::fails(extremes_of(i, row(i)), strengths[i], rocks[type[i]].constants);
     any = any || beyond[i];
   }
   if (!any) return;

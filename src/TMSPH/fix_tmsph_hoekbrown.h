@@ -75,7 +75,8 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   void follow_layout();
   TMSPH::Extremes extremes(const double *stress, double zz) const;
   TMSPH::Extremes extremes_of(int i, const double *stress) const;
-  void record(int i, int j, const double *stress, const TMSPH::Extremes &);
+  bool may_fail(int i, const double *stress) const;
+  void record(int i, int k, const double *stress, const TMSPH::Extremes &);
   double largest_load();
   bigint total(int mode);
 };

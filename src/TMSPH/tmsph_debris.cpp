@@ -23,7 +23,7 @@ static double length(const double *X)
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHDebris::measure(const FixTMSPHBond &bonds, double limit)
+void TMSPHDebris::measure(const FixTMSPHBond &bonds)
 {
   const int nlocal = atom->nlocal;
   spacing.assign((size_t) nlocal + atom->nghost, 0.0);
@@ -35,7 +35,6 @@ void TMSPHDebris::measure(const FixTMSPHBond &bonds, double limit)
       bonds.reference_vector(i, j, X);
       if (spacing[i] == 0.0 || length(X) < spacing[i]) spacing[i] = length(X);
     }
-    spacing[i] = std::min(spacing[i], limit);
   }
 }
 
@@ -57,9 +56,23 @@ bool TMSPHDebris::make(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH 
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHDebris::list_candidates(const NeighList &list, const FixTMSPHBond &bonds,
-                                  const PairTMSPH &pair)
+bool TMSPHDebris::may_touch(int i, int j) const
 {
+  const double reach = 0.5 * (spacing[i] + spacing[j]) + skin;
+  double r2 = 0.0;
+  for (int k = 0; k < 3; k++) {
+    const double d = atom->x[j][k] - atom->x[i][k];
+    r2 += d * d;
+  }
+  return r2 < reach * reach;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHDebris::list_candidates(const NeighList &list, double neighbor_skin,
+                                  const FixTMSPHBond &bonds, const PairTMSPH &pair)
+{
+  skin = neighbor_skin;
   candidates.clear();
   sorted = false;
   Candidate c;
@@ -67,7 +80,9 @@ void TMSPHDebris::list_candidates(const NeighList &list, const FixTMSPHBond &bon
     const int i = list.ilist[ii];
     for (int jj = 0; jj < list.numneigh[i]; jj++) {
       const int j = list.firstneigh[i][jj] & NEIGHMASK;
-      if (!bonds.joined(i, atom->tag[j]) && make(i, j, bonds, pair, c)) candidates.push_back(c);
+      if (may_touch(i, j) && !bonds.joined(i, atom->tag[j]) &&
+          make(i, j, bonds, pair, c))
+        candidates.push_back(c);
     }
   }
 }
@@ -76,13 +91,8 @@ void TMSPHDebris::list_candidates(const NeighList &list, const FixTMSPHBond &bon
 
 void TMSPHDebris::add(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH &pair)
 {
-  // a pair that starts farther apart than it can touch is found by the next neighbor list
   Candidate c;
-  if (!make(i, j, bonds, pair, c)) return;
-  double r2 = 0.0;
-  for (int k = 0; k < 3; k++)
-    r2 += (atom->x[j][k] - atom->x[i][k]) * (atom->x[j][k] - atom->x[i][k]);
-  if (r2 > 4.0 * c.distance * c.distance) return;
+  if (!may_touch(i, j) || !make(i, j, bonds, pair, c)) return;
   candidates.push_back(c);
   sorted = false;
 }

@@ -25,11 +25,12 @@ class TMSPHDebris : protected Pointers {
  public:
   explicit TMSPHDebris(class LAMMPS *lmp) : Pointers(lmp) {}
 
-  /// contact sizes d_i of the local particles, none above "limit"
-  void measure(const FixTMSPHBond &bonds, double limit);
+  /// contact sizes d_i of the local particles
+  void measure(const FixTMSPHBond &bonds);
   std::vector<double> &spacings() { return spacing; }    ///< ghosts' ones are filled by the caller
-  /// candidates from a full neighbor list that reaches contact distance plus skin
-  void list_candidates(const NeighList &list, const FixTMSPHBond &bonds, const PairTMSPH &pair);
+  /// pairs of a full neighbor list that may touch before the next one, which the skin decides
+  void list_candidates(const NeighList &list, double neighbor_skin, const FixTMSPHBond &bonds,
+                       const PairTMSPH &pair);
   /// a bond of local particle i to j broke: they may touch from now on
   void add(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH &pair);
   /** Adds forces to atom->f of local particles, and to virial (6, or nullptr).
@@ -43,10 +44,13 @@ class TMSPHDebris : protected Pointers {
     double distance, stiffness;
   };
   std::vector<double> spacing;    // [nlocal+nghost]
+  double skin = 0.0;
   std::vector<Candidate> candidates;
   bool sorted = true;
   int touching = 0;
 
+  /// before the next neighbor list: no particle moves more than half the skin until then
+  bool may_touch(int i, int j) const;
   bool make(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH &pair, Candidate &) const;
 };
 

@@ -53,6 +53,22 @@ inline bool fails(const Extremes &stress, double strength, const HoekBrown &rock
   return difference >= strength * std::pow(bracket, rock.a);
 }
 
+/** A cheap, safe bound: false only if fails() is false.
+    @param mean       mean stress, of the plane or of all three directions
+    @param deviation2 (S1 - S3)^2/4 in the plane, J2 in 3-D, where (S1 - S3)^2 <= 4 J2
+    @param reach      the largest principal stress is at most mean + reach sqrt(deviation2):
+                      1 in the plane, 2/sqrt(3) in 3-D */
+inline bool may_fail(double mean, double deviation2, double reach, double strength,
+                     const HoekBrown &rock)
+{
+  constexpr double ROUNDING = 1.0 - 1.0e-12;
+  const double largest = mean + reach * std::sqrt(deviation2);
+  const double bracket = rock.s - rock.mb * largest / strength;
+  // x^(2a) >= min(x, x^2) for 1/2 <= a <= 1
+  const double power = rock.a == 0.5 || bracket > 1.0 ? bracket : bracket * std::fabs(bracket);
+  return 4.0 * deviation2 >= strength * strength * power * ROUNDING;
+}
+
 /** Load factor o: the stress divided by o is just at failure, so that o >= 1 means failure.
     For a = 1/2 the closed form, otherwise by bisection (the safe states form a convex set around
     the stress-free one, so that o is unique). */

@@ -26,6 +26,25 @@ inline Extremes principal_extremes_2d(const double *s)
   return {mean + radius, mean - radius};
 }
 
+/// Mean and deviation of a stress, see may_fail().
+struct Invariants {
+  double mean, deviation2;
+};
+
+inline Invariants invariants_2d(const double *s)
+{
+  const double half = 0.5 * (s[0] - s[1]);
+  return {0.5 * (s[0] + s[1]), half * half + s[2] * s[2]};
+}
+
+/// Mean and J2.
+inline Invariants invariants_3d(const double *s)
+{
+  const double mean = (s[0] + s[1] + s[2]) / 3.0;
+  const double x = s[0] - mean, y = s[1] - mean, z = s[2] - mean;
+  return {mean, 0.5 * (x * x + y * y + z * z) + s[3] * s[3] + s[4] * s[4] + s[5] * s[5]};
+}
+
 /// All three, ascending, from xx yy zz xy xz yz.
 inline Eigen::Vector3d principal_values(const double *s)
 {
