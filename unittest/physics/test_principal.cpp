@@ -29,6 +29,10 @@ TEST(Principal, plane)
     const Extremes e = principal_extremes_2d(s);
     EXPECT_NEAR(e.smallest, exact[0], 10.0 * ROUND_OFF * A.norm());
     EXPECT_NEAR(e.largest, exact[1], 10.0 * ROUND_OFF * A.norm());
+    const Invariants m = invariants_2d(s);
+    EXPECT_NEAR(m.mean, exact.mean(), 10.0 * ROUND_OFF * A.norm());
+    EXPECT_NEAR(m.deviation2, 0.25 * std::pow(exact[1] - exact[0], 2),
+                10.0 * ROUND_OFF * A.squaredNorm());
   }
 }
 
@@ -49,6 +53,15 @@ void check_space(const Eigen::Vector3d &values, std::mt19937_64 &engine)
   const Extremes e = principal_extremes_3d(s);
   EXPECT_NEAR(e.smallest, exact[0], tolerance);
   EXPECT_NEAR(e.largest, exact[2], tolerance);
+
+  // J2 from the principal values, and what the bound of the criterion rests on
+  const Invariants m = invariants_3d(s);
+  const Eigen::Vector3d deviator = exact.array() - exact.mean();
+  const double size = values.squaredNorm();
+  EXPECT_NEAR(m.mean, exact.mean(), 10.0 * ROUND_OFF * values.norm());
+  EXPECT_NEAR(m.deviation2, 0.5 * deviator.squaredNorm(), 10.0 * ROUND_OFF * size);
+  EXPECT_LE(std::pow(exact[2] - exact[0], 2), 4.0 * m.deviation2 + 10.0 * ROUND_OFF * size);
+  EXPECT_LE(deviator[2], 2.0 / std::sqrt(3.0) * std::sqrt(m.deviation2) + tolerance);
 }
 
 TEST(Principal, space)
