@@ -29,9 +29,9 @@ using TMSPH::WIDTH;
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), lag(nullptr),
-    period{0.0, 0.0, 0.0},
+    kappa(0.0), period{0.0, 0.0, 0.0},
     natoms_at_setup(0),
-    bonds_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
+    bonds_at_estimate(-1), coefficients_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
 {
   if (narg != 3) error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph");
   restart_global = 1;

@@ -95,9 +95,11 @@ class FixTMSPHBond : public Fix {
   // step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2], and
   // the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
   double **lag;                 // allocated with viscosity only
+  double kappa;                 // tr K/D of the interior when the bonds formed
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
   bigint bonds_at_estimate;     // intact bonds when the time step was estimated last
+  int coefficients_at_estimate;
   double stable_timestep;
   bool reported;
   int version;

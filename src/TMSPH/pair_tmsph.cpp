@@ -113,7 +113,30 @@ template <int D> void PairTMSPH::prepare()
   for (int q = 0; q < all.count(); q++)
     for (int l = 0; l < WIDTH; l++) update_shape<D>(all, q, l);
   build_own_side<D>();
+  if (bond_fix->kappa == 0.0) bond_fix->kappa = largest_kappa<D>();
+  viscosity.kappa = bond_fix->kappa;
   prepared_version = bond_fix->layout_version();
+}
+
+/* ----------------------------------------------------------------------
+   tr K/D where a particle has all its neighbors
+------------------------------------------------------------------------- */
+
+template <int D> double PairTMSPH::largest_kappa()
+{
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++) {
+    double trace = 0.0;
+    for (int k = 0; k < bond_fix->count(i); k++) {
+      double X[3];
+      const int j = bond_fix->partner_index(i, k);
+      bond_fix->reference_vector(i, j, X);
+      for (int c = 0; c < D; c++) trace += bond_weight(i, j) * X[c] * X[c];
+    }
+    mine = std::max(mine, trace / (D * atom->vfrac[i]));
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
 }
 
 /* ----------------------------------------------------------------------
@@ -149,11 +172,6 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   own[WIDTH * entry++] = m.lambda;
   own[WIDTH * entry++] = m.shear;
   own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young;
-  if (&bonds == &slices() && l < bonds.valid[q]) {    // a pad has no bonds
-    // a particle without bonds uses its kappa nowhere, but 0/0 must not arise from it
-    const double trace = K.trace();
-    force_row[(size_t) i * R::FORCE + R::KAPPA] = trace > 0.0 ? trace / (D * atom->vfrac[i]) : 1.0;
-  }
 }
 
 /* ----------------------------------------------------------------------
@@ -357,7 +375,7 @@ double PairTMSPH::stress_zz(int i, double sxx, double syy) const
 }
 
 /* ----------------------------------------------------------------------
-   under uniform stress f_ij = 2 W_ij/kappa sigma X_ij, and half of f u' is
+   under uniform stress in the interior f_ij = 2 W_ij/kappa sigma X_ij, and half of f u' is
    the energy; summed over all bonds this is the strain energy of the body
 ------------------------------------------------------------------------- */
 
@@ -365,10 +383,6 @@ double PairTMSPH::bond_energy(int i, int k, const double *stress) const
 {
   const int D = domain->dimension;
   const int j = bond_fix->partner_index(i, k);
-  const double *kappa = force_row.data();
-  kappa += D == 2 ? (size_t) i * Rows<2>::FORCE + Rows<2>::KAPPA
-                  : (size_t) i * Rows<3>::FORCE + Rows<3>::KAPPA;
-  if (*kappa <= 0.0) return 0.0;
   double X[3], work = 0.0;
   bond_fix->reference_vector(i, j, X);
   const int row[3][3] = {{0, D, D + 1}, {D, 1, D + 2}, {D + 1, D + 2, 2}};
@@ -383,7 +397,7 @@ double PairTMSPH::bond_energy(int i, int k, const double *stress) const
         (atom->x[i][a] - bond_fix->reference(i)[a]) - theta * X[a];
     for (int b = 0; b < D; b++) work += u * stress[row[a][b]] * X[b];
   }
-  return bond_weight(i, j) * work / *kappa;
+  return bond_weight(i, j) * work / bond_fix->kappa;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -32,7 +32,7 @@ static constexpr double MAX_POISSON = 0.45;
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr),
-    stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
+    coefficients(0), stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;
@@ -89,6 +89,7 @@ void PairTMSPH::settings(int narg, char **arg)
 {
   if (narg < 1) utils::missing_cmd_args(FLERR, "pair_style tmsph", error);
   cutoff = utils::numeric(FLERR, arg[0], false, lmp);
+  coefficients++;
   if (cutoff <= 0.0)
     error->all(FLERR, "Horizon {} of pair_style tmsph must be positive: about 3 particle spacings",
                arg[0]);
@@ -148,6 +149,7 @@ void PairTMSPH::coeff(int narg, char **arg)
 {
   if (narg < 3) utils::missing_cmd_args(FLERR, "pair_coeff for pair style tmsph", error);
   if (!allocated) allocate();
+  coefficients++;
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);

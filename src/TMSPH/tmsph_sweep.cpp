@@ -158,6 +158,9 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
       : D == 3 && !VISCOUS                                  ? 12
                                                             : R::FORCE;
   const double h = viscosity.smoothing_length;
+  // speed and density below are sums of both ends
+  const double alpha1 = 0.25 * viscosity.alpha1 / viscosity.kappa;
+  const double alpha2 = 0.5 * viscosity.alpha2 / viscosity.kappa;
   for (int q = 0; q < bonds.count(); q++) {
     const Own<D> own(bonds, q, kinematic);
     const int *particle = bonds.particle.data() + q * WIDTH;
@@ -189,7 +192,6 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
         for (int k = 0; k < D; k++)
           x[k] = bond.X[k] + (other[R::U + k] - own.row[R::U + k]);
       if constexpr (VISCOUS) {
-        // rho (alpha1 c mu - alpha2 mu^2 on approach) |X|/kappa e, mu = h v.x/(r^2 + 0.01 h^2)
         Lanes r2 = x[0] * x[0], X2 = bond.X[0] * bond.X[0];
         Lanes rate = (his[R::V] - mine[R::V]) * x[0];
         for (int k = 1; k < D; k++) {
@@ -202,13 +204,11 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
         const Lanes *const j_end = D == 2 ? other : his;
         const Lanes speed = i_end[R::SPEED] + j_end[R::SPEED];
         const Lanes density = i_end[R::DENSITY] + j_end[R::DENSITY];
-        const Lanes kappa = mine[R::KAPPA] + his[R::KAPPA];
         r2 += 1.0e-300;    // pads have x = 0
         const Lanes soft = r2 + 0.01 * h * h;
         const Lanes mu = h * rate / soft;
-        const Lanes factor = mu * density *
-            (0.5 * viscosity.alpha1 * speed - viscosity.alpha2 * minimum(mu, broadcast(0.0))) *
-            square_root(X2 / r2) / kappa;
+        const Lanes factor = mu * density * square_root(X2 / r2) *
+            (alpha1 * speed - alpha2 * minimum(mu, broadcast(0.0)));
         for (int k = 0; k < D; k++) t[k] += factor * x[k];
       }
       for (int i = 0; i < D; i++) {

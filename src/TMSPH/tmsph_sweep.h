@@ -47,22 +47,22 @@ struct Features {
     kinematic row, known before the gradient sweep (8 doubles):
       X[D] u[D] E E*a, and in 2-D c and rho
     force row, known after it (8 doubles in 2-D, 16 in 3-D):
-      B[D*D] chi v[D] kappa, and in 3-D c and rho
+      B[D*D] chi v[D], and in 3-D c and rho
     X reference position, u displacement, E Young's modulus, a thermal strain, c wave speed, rho
-    density, chi hourglass stiffness, v velocity, kappa = tr K / D. The first part of the force row
-    is what ghosts must be sent, as short as the scene allows. */
+    density, chi hourglass stiffness, v velocity. The first part of the force row is what ghosts
+    must be sent, as short as the scene allows. */
 template <int D> struct Rows {
   static constexpr int KINEMATIC = 8;
   static constexpr int FORCE = D == 2 ? 8 : 16;
   static constexpr int X = 0, U = D, YOUNG = 2 * D, THERMAL = 2 * D + 1;
-  static constexpr int B = 0, CHI = D * D, V = D * D + 1, KAPPA = D * D + 1 + D;
+  static constexpr int B = 0, CHI = D * D, V = D * D + 1;
   /// wave speed and density stand in the kinematic row in 2-D, in the force row in 3-D
   static constexpr int SPEED = D == 2 ? 6 : 14, DENSITY = SPEED + 1;
 
   /// doubles of the force row that a ghost needs
   static int communicated(const Features &on)
   {
-    return on.viscosity ? KAPPA + 1 : on.hourglass ? CHI + 1 : CHI;
+    return on.viscosity ? V + D : on.hourglass ? CHI + 1 : CHI;
   }
 };
 
@@ -110,9 +110,13 @@ template <int D>
 void gradient_sweep(const Features &on, const Slices &bonds, int first_slice, int last_slice,
                     const double *kinematic, const GradientOutput &out);
 
-/** Numbers of the artificial viscosity, method of Monaghan (1992), two-sided. */
+/** Artificial viscosity after Monaghan (1992), on approach and on separation:
+    f_ij = W_ij rho (alpha1 c mu - alpha2 mu^2 on approach) |X_ij|/kappa e_ij,
+    mu = h (v_j - v_i).(x_j - x_i)/(r^2 + 0.01 h^2).
+    kappa = tr K/D of the interior of the intact body. A kappa of each particle's remaining bonds
+    would damp the last bonds of a fragment so hard that they limit the time step. */
 struct Viscosity {
-  double alpha1 = 0.0, alpha2 = 0.0, smoothing_length = 0.0;
+  double alpha1 = 0.0, alpha2 = 0.0, smoothing_length = 0.0, kappa = 1.0;
 };
 
 /** Adds the forces to f (stride 3). */
