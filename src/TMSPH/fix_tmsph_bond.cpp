@@ -135,6 +135,7 @@ void FixTMSPHBond::form()
                  period[k], "xyz"[k], horizon);
   }
   for (int i = 0; i < nlocal; i++) domain->unmap(atom->x[i], atom->image[i], atom->x0[i]);
+  comm->forward_comm_array(3, atom->x0);    // ghosts came with those of before
   send_references();
 
   neighbor->build_one(list);
