@@ -94,7 +94,7 @@ class Scene:
     """An input script: the head that all tests need, then what the test adds.
     The files the script names, such as displacements, are kept with it."""
 
-    def __init__(self, cloud, materials, pair="", temperature=0.0, commands=""):
+    def __init__(self, cloud, materials, pair="", temperature=0.0):
         d = cloud.dimension
         boundary = " ".join("p" if axis in cloud.periodic or k >= d else "s"
                             for k, axis in enumerate("xyz"))
@@ -107,11 +107,15 @@ class Scene:
         for k, m in enumerate(materials, 1):
             self.lines.append(f"pair_coeff {k} {k} elastic {m['young']:.17g} {m['poisson']:.17g} "
                               f"density {m['density']:.17g} expansion {m['expansion']:.17g}")
-        self.lines += [commands, "thermo_modify norm no format float %.17g"]
+        self.thermo("step pe press")
 
     def add(self, text):
         self.lines.append(text)
         return self
+
+    def thermo(self, columns, every=1000):
+        return self.add(f"thermo_style custom {columns}\n"
+                        f"thermo_modify norm no format float %.17g\nthermo {every}")
 
     def set(self, attributes, values):
         """Sets atom attributes, such as 'x y', to one column of values each."""
@@ -166,7 +170,8 @@ class Run:
                 command = [launcher, "-np", str(ranks)] + command
                 environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                                    OMPI_MCA_rmaps_base_oversubscribe="1",
-                                   OMPI_MCA_hwloc_base_binding_policy="none")
+                                   OMPI_MCA_hwloc_base_binding_policy="none",
+                                   OMPI_MCA_mpi_yield_when_idle="1")
             done = subprocess.run(command, cwd=folder, env=environment, text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             log = folder / "log.lammps"
