@@ -31,7 +31,7 @@ FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), lag(nullptr),
     kappa(0.0), period{0.0, 0.0, 0.0},
     natoms_at_setup(0),
-    bonds_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
+    bonds_at_estimate(-1), coefficients_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
 {
   if (narg != 3) error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph");
   restart_global = 1;
@@ -135,6 +135,7 @@ void FixTMSPHBond::form()
                  period[k], "xyz"[k], horizon);
   }
   for (int i = 0; i < nlocal; i++) domain->unmap(atom->x[i], atom->image[i], atom->x0[i]);
+  comm->forward_comm_array(3, atom->x0);    // ghosts came with those of before
   send_references();
 
   neighbor->build_one(list);
@@ -157,7 +158,9 @@ void FixTMSPHBond::form()
                    atom->tag[i], atom->tag[j]);
       mine.push_back(atom->tag[j]);
     }
+    // in a short periodic box the list also has images beyond the nearest
     std::sort(mine.begin(), mine.end());
+    mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
     longest = std::max(longest, (int) mine.size());
   }
   list = nullptr;

@@ -99,6 +99,7 @@ class FixTMSPHBond : public Fix {
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
   bigint bonds_at_estimate;     // intact bonds when the time step was estimated last
+  int coefficients_at_estimate;
   double stable_timestep;
   bool reported;
   int version;
