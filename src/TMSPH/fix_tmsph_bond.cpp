@@ -158,7 +158,9 @@ void FixTMSPHBond::form()
                    atom->tag[i], atom->tag[j]);
       mine.push_back(atom->tag[j]);
     }
+    // in a short periodic box the list also has images beyond the nearest
     std::sort(mine.begin(), mine.end());
+    mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
     longest = std::max(longest, (int) mine.size());
   }
   list = nullptr;

@@ -14,6 +14,7 @@
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
+#include "neighbor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -231,6 +232,12 @@ void PairTMSPH::init_style()
     error->all(FLERR, "Pair style tmsph needs an orthogonal box: the box is triclinic");
   if (domain->dimension == 3 && plane == Plane::STRESS)
     error->all(FLERR, "Pair_style tmsph plane stress needs dimension 2: remove it in 3-D");
+
+  if (neighbor->skin > cutoff && comm->me == 0)
+    error->warning(FLERR,
+                   "The neighbor skin {} is longer than the horizon {}: lists and ghosts are needlessly "
+                   "many; set for instance 'neighbor {:.2g} bin'",
+                   neighbor->skin, cutoff, 0.3 * cutoff);
 
   bool expands = false;
   for (int i = 1; i <= atom->ntypes; i++) {
