@@ -60,6 +60,15 @@ template <int D> struct Body {
     return K;
   }
 
+  /// tr K/D where a particle has all its neighbors: the viscosity's measure of the kernel
+  double kappa() const
+  {
+    double largest = 0.0;
+    for (int i = 0; i < size(); i++)
+      largest = std::max(largest, shape(i).trace() / (D * p[i].volume));
+    return largest;
+  }
+
   void form_bonds(TMSPH::Kernel kernel)
   {
     W = Eigen::MatrixXf::Zero(size(), size());
@@ -168,8 +177,6 @@ template <int D> struct Layout {
       }
       row[R::YOUNG] = p.material.young;
       row[R::THERMAL] = p.material.young * p.thermal;
-      const double trace = body.shape(i).trace();
-      end[R::KAPPA] = trace > 0.0 ? trace / (D * p.volume) : 1.0;    // without bonds: any number
       (D == 2 ? row : end)[R::SPEED] = std::sqrt(p.material.wave_modulus / p.density);
       (D == 2 ? row : end)[R::DENSITY] = p.density;
     }

@@ -96,13 +96,12 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
         const auto speed = [&](int k) {
           return std::sqrt(p[k].material.wave_modulus / p[k].density);
         };
-        const auto kappa = [&](int k) { return body.shape(k).trace() / p[k].volume / D; };
         const double r = x.norm(), mu = h * (p[j].v - p[i].v).dot(x) / (r * r + 0.01 * h * h);
         const double rho = 0.5 * (p[i].density + p[j].density);
         const double c = 0.5 * (speed(i) + speed(j));
         double pressure = viscosity.alpha1 * c * mu;
         if (mu < 0.0) pressure -= viscosity.alpha2 * mu * mu;
-        t += rho * pressure * X.norm() / (0.5 * (kappa(i) + kappa(j))) * x / r;
+        t += rho * pressure * X.norm() / viscosity.kappa * x / r;
       }
       t *= body.W(i, j);
       f += t;

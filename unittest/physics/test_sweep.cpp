@@ -87,7 +87,10 @@ template <class Dimension> class Sweep : public ::testing::Test {
                          << "law " << (int) law << " thermal " << (int) thermal << " hourglass "
                          << hourglass << " viscosity " << viscous);
             Viscosity viscosity;
-            if (viscous) viscosity = {1.0, 2.0, 1.5e-3};
+            if (viscous) {
+              viscosity = {1.0, 2.0, 1.5e-3};
+              viscosity.kappa = random_body<D>(1).kappa();
+            }
             fn(Features{law, thermal, hourglass, viscous}, hourglass ? 0.3 : 0.0, viscosity);
           }
   }
