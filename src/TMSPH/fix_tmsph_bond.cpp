@@ -29,8 +29,7 @@ using TMSPH::WIDTH;
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), lag(nullptr),
-    kappa(0.0), period{0.0, 0.0, 0.0},
-    natoms_at_setup(0),
+    kappa(0.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0),
     bonds_at_estimate(-1), coefficients_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
 {
   if (narg != 3) error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph");
@@ -98,7 +97,7 @@ void FixTMSPHBond::setup_post_neighbor()
   else
     follow_ids();
   send_references();
-  lay_out(true);
+  lay_out();
   natoms_at_setup = atom->natoms;
 }
 
@@ -107,7 +106,7 @@ void FixTMSPHBond::setup_post_neighbor()
 void FixTMSPHBond::post_neighbor()
 {
   send_references();
-  lay_out(false);
+  lay_out();
 }
 
 /* ----------------------------------------------------------------------
@@ -201,7 +200,8 @@ void FixTMSPHBond::check_families() const
 
 /* ----------------------------------------------------------------------
    reset_atoms id and delete_atoms with compression give particles new ids:
-   follow them, as long as the partners are still within reach
+   follow them, as long as the partners are still within reach. The bonds of
+   deleted particles are forgotten.
 ------------------------------------------------------------------------- */
 
 void FixTMSPHBond::follow_ids()
@@ -219,7 +219,8 @@ void FixTMSPHBond::follow_ids()
                "{} particles were created after the bonds had formed: create all particles before "
                "the first run, or 'clear' and start anew",
                all[1]);
-  if (!all[0]) return;
+  const bool renamed = all[0] > 0, deleted = atom->natoms < natoms_at_setup;
+  if (!renamed && !deleted) return;
 
   former_tag.assign(own_tag, own_tag + nlocal);
   former_tag.resize(nlocal + atom->nghost);
@@ -232,7 +233,10 @@ void FixTMSPHBond::follow_ids()
     std::vector<std::pair<tagint, unsigned char>> kept;
     for (int k = 0; k < npartner[i]; k++) {
       const auto found = present.find(partner[i][k]);
-      if (found != present.end()) kept.emplace_back(found->second, state[i][k]);
+      if (found != present.end())
+        kept.emplace_back(found->second, state[i][k]);
+      else if (!renamed && state[i][k] != INTACT)
+        kept.emplace_back(partner[i][k], state[i][k]);    // not deleted, perhaps: out of reach
     }
     std::sort(kept.begin(), kept.end());
     npartner[i] = kept.size();
@@ -326,11 +330,10 @@ int FixTMSPHBond::find_partner(int i, tagint id) const
    a bond that is gone keeps its place with weight 0
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::lay_out(bool at_setup)
+void FixTMSPHBond::lay_out()
 {
   const int nlocal = atom->nlocal;
   const int nslice = (nlocal + WIDTH - 1) / WIDTH;
-  const bool deleted = at_setup && atom->natoms < natoms_at_setup;
 
   slices.particle.resize((size_t) nslice * WIDTH);
   slices.valid.resize(nslice);
@@ -361,16 +364,11 @@ void FixTMSPHBond::lay_out(bool at_setup)
         slices.weight[at] = 0.0f;
         if (!pad && k < npartner[i]) {
           j = find_partner(i, partner[i][k]);
-          if (j < 0 && state[i][k] == INTACT) {
-            if (deleted)
-              state[i][k] = CUT;
-            else
-              error->one(FLERR,
-                         "Particle {} lost its bonded partner {} on step {}: it moved farther than "
-                         "the ghost cutoff {}; raise it with comm_modify cutoff or let the bond "
-                         "break",
-                         atom->tag[i], partner[i][k], update->ntimestep, comm->get_comm_cutoff());
-          }
+          if (j < 0 && state[i][k] == INTACT)
+            error->one(FLERR,
+                       "Particle {} lost its bonded partner {} on step {}: it moved farther than the "
+                       "ghost cutoff {}; raise it with comm_modify cutoff or let the bond break",
+                       atom->tag[i], partner[i][k], update->ntimestep, comm->get_comm_cutoff());
           if (j >= 0 && state[i][k] == INTACT) slices.weight[at] = pair->bond_weight(i, j);
         }
         slices.partner[at] = j < 0 ? i : j;

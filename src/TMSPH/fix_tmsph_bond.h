@@ -112,7 +112,7 @@ class FixTMSPHBond : public Fix {
   void form();
   void follow_ids();
   void send_references();
-  void lay_out(bool at_setup);
+  void lay_out();
   int find_partner(int, tagint) const;
   void check_families() const;
   void check_timestep();
