@@ -29,10 +29,13 @@ using TMSPH::WIDTH;
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), lag(nullptr),
-    kappa(0.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0),
-    bonds_at_estimate(-1), coefficients_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
+    horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0), bonds_at_estimate(-1),
+    coefficients_at_estimate(-1), stable_timestep(0.0), reported(false), version(0),
+    what_to_send(REFERENCE)
 {
-  if (narg != 3) error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph");
+  if (narg != 3 || strcmp(id, ID) != 0)
+    error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
+                      "this one");
   restart_global = 1;
   restart_peratom = 1;
   create_attribute = 1;
@@ -72,6 +75,15 @@ void FixTMSPHBond::init()
   pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
   if (!pair) error->all(FLERR, "The bonds of pair style tmsph are left without their pair style");
 
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Pair style tmsph cannot run with run_style {}: use run_style verlet",
+               update->integrate_style);
+  if (bonds_formed && horizon != pair->horizon())
+    error->all(FLERR,
+               "Horizon {} of pair_style tmsph differs from {}, with which the bonds have formed: "
+               "keep it, or 'clear' and start anew",
+               pair->horizon(), horizon);
+
   if (pair->viscous()) want_lag();
 
   // a neighbor list serves once, to form the families
@@ -94,8 +106,10 @@ void FixTMSPHBond::setup_post_neighbor()
   const bool fresh = !bonds_formed;
   if (fresh)
     form();
-  else
+  else {
+    refuse_strangers();
     follow_ids();
+  }
   send_references();
   lay_out();
   natoms_at_setup = atom->natoms;
@@ -105,6 +119,7 @@ void FixTMSPHBond::setup_post_neighbor()
 
 void FixTMSPHBond::post_neighbor()
 {
+  refuse_strangers();
   send_references();
   lay_out();
 }
@@ -119,7 +134,7 @@ void FixTMSPHBond::form()
   const int nlocal = atom->nlocal;
   pair->complete_particles();
   const int *periodicity = domain->periodicity;
-  const double horizon = pair->horizon();
+  horizon = pair->horizon();
   if (comm->get_comm_cutoff() < horizon)
     error->all(FLERR,
                "The ghost cutoff {} is shorter than the horizon {} of pair style tmsph: raise it "
@@ -199,6 +214,22 @@ void FixTMSPHBond::check_families() const
 }
 
 /* ----------------------------------------------------------------------
+   particles that came after the others had formed their bonds
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_strangers() const
+{
+  int strangers = 0, all;
+  for (int i = 0; i < atom->nlocal; i++) strangers += own_tag[i] == 0;
+  MPI_Allreduce(&strangers, &all, 1, MPI_INT, MPI_SUM, world);
+  if (all)
+    error->all(FLERR,
+               "{} particles were created after the bonds had formed: create all particles before "
+               "the first run, or 'clear' and start anew",
+               all);
+}
+
+/* ----------------------------------------------------------------------
    reset_atoms id and delete_atoms with compression give particles new ids:
    follow them, as long as the partners are still within reach. The bonds of
    deleted particles are forgotten.
@@ -207,19 +238,10 @@ void FixTMSPHBond::check_families() const
 void FixTMSPHBond::follow_ids()
 {
   const int nlocal = atom->nlocal;
-  int changed = 0, strangers = 0;
-  for (int i = 0; i < nlocal; i++) {
-    if (own_tag[i] == 0) strangers++;
-    if (own_tag[i] != atom->tag[i]) changed++;
-  }
-  int flags[2] = {changed, strangers}, all[2];
-  MPI_Allreduce(flags, all, 2, MPI_INT, MPI_SUM, world);
-  if (all[1])
-    error->all(FLERR,
-               "{} particles were created after the bonds had formed: create all particles before "
-               "the first run, or 'clear' and start anew",
-               all[1]);
-  const bool renamed = all[0] > 0, deleted = atom->natoms < natoms_at_setup;
+  int other = 0, all;
+  for (int i = 0; i < nlocal; i++) other += own_tag[i] != atom->tag[i];
+  MPI_Allreduce(&other, &all, 1, MPI_INT, MPI_SUM, world);
+  const bool renamed = all > 0, deleted = atom->natoms < natoms_at_setup;
   if (!renamed && !deleted) return;
 
   former_tag.assign(own_tag, own_tag + nlocal);

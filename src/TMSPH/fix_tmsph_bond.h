@@ -95,6 +95,7 @@ class FixTMSPHBond : public Fix {
   // step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2], and
   // the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
   double **lag;                 // allocated with viscosity only
+  double horizon;               // with which the bonds formed
   double kappa;                 // tr K/D of the interior when the bonds formed
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
@@ -110,6 +111,7 @@ class FixTMSPHBond : public Fix {
   std::vector<tagint> former_tag;    // of ghosts too, while ids are being followed
 
   void form();
+  void refuse_strangers() const;
   void follow_ids();
   void send_references();
   void lay_out();

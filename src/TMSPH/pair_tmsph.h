@@ -137,7 +137,8 @@ class PairTMSPH : public Pair {
   template <int D> void evaluate();
   template <int D> void test_bonds();
   template <int D> void own_side_stress(bool inverted_breaks);
-  template <int D> void stop_inverted(int);
+  void stop_inverted(int);
+  void stop_thermal();
   template <int D> double stable_timestep_in();
   void send(decltype(FORCE_ROWS));
   std::pair<double *, int> rows_to_send();

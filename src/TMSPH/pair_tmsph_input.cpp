@@ -205,7 +205,10 @@ void PairTMSPH::coeff(int narg, char **arg)
                "in this formulation; use {} at most",
                arg[4], MAX_POISSON, MAX_POISSON);
   if (m.density <= 0.0)
-    error->all(FLERR, "Pair_coeff ... elastic needs a positive density: add 'density rho'");
+    error->all(FLERR,
+               "Density {} in pair_coeff ... elastic must be positive: add 'density rho' with the "
+               "density at rest",
+               m.density);
 
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
@@ -310,8 +313,8 @@ void PairTMSPH::complete_particles()
       atom->rmass[i] = mass;
     else if (!(std::fabs(atom->rmass[i] - mass) <= AGREE * mass))
       error->one(FLERR,
-                 "Particle {} has mass {}, but density {} times volume {} is {}: correct one of "
-                 "them, or leave the mass out",
+                 "Particle {} has mass {:.8g}, but density {:.8g} times volume {:.8g} is {:.8g}: "
+                 "correct one of them, or leave the mass out",
                  atom->tag[i], atom->rmass[i], m.density, volume, mass);
   }
 }

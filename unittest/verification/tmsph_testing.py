@@ -90,9 +90,34 @@ def material(young=40e9, poisson=0.3, density=2700.0, expansion=0.0):
     return dict(young=young, poisson=poisson, density=density, expansion=expansion)
 
 
-class Scene:
-    """An input script: the head that all tests need, then what the test adds.
-    The files the script names, such as displacements, are kept with it."""
+class Script:
+    """An input script and the files that it names."""
+
+    def __init__(self, text="", files=None):
+        self.lines = [text]
+        self.files = dict(files or {})
+
+    def add(self, text):
+        self.lines.append(text)
+        return self
+
+    def dump(self, name, columns, every=1):
+        self.add(f"dump {name} all custom {every} {name}.dump id {columns}\n"
+                 f"dump_modify {name} sort id format float %.17g")
+        return self
+
+    def snapshot(self, name, columns):
+        """One dump now: forces and stresses are those of the last run."""
+        return self.add(f"write_dump all custom {name}.dump id {columns} "
+                        "modify sort id format float %.17g")
+
+    def run(self, ranks=1, may_fail=False, keep=""):
+        """keep: a pattern of files to hold on to, for a script that continues."""
+        return Run(self, ranks, may_fail, keep)
+
+
+class Scene(Script):
+    """A script that starts with the head that all tests of a cloud need."""
 
     def __init__(self, cloud, materials, pair="", temperature=0.0):
         d = cloud.dimension
@@ -108,10 +133,6 @@ class Scene:
             self.lines.append(f"pair_coeff {k} {k} elastic {m['young']:.17g} {m['poisson']:.17g} "
                               f"density {m['density']:.17g} expansion {m['expansion']:.17g}")
         self.thermo("step pe press")
-
-    def add(self, text):
-        self.lines.append(text)
-        return self
 
     def thermo(self, columns, every=1000):
         return self.add(f"thermo_style custom {columns}\n"
@@ -131,16 +152,6 @@ class Scene:
         """Takes the particles to new positions: deformation, once the bonds have formed."""
         return self.set("x y z"[: 2 * self.cloud.dimension - 1], positions)
 
-    def dump(self, name, columns, every=1):
-        self.add(f"dump {name} all custom {every} {name}.dump id {columns}\n"
-                 f"dump_modify {name} sort id format float %.17g")
-        return self
-
-    def snapshot(self, name, columns):
-        """One dump now: forces and stresses are those of the last run."""
-        return self.add(f"write_dump all custom {name}.dump id {columns} "
-                        "modify sort id format float %.17g")
-
     def minimize(self, residual, iterations=20000):
         """Conjugate gradients down to a root mean square force on a particle."""
         norm = residual * len(self.cloud) ** 0.5
@@ -148,20 +159,18 @@ class Scene:
                  f"minimize 0 {norm:.6g} {iterations} {10 * iterations}")
         return self
 
-    def run(self, ranks=1, may_fail=False):
-        return Run(self, ranks, may_fail)
-
 
 class Run:
-    """One run of lmp: its thermodynamic output and its dumps."""
+    """One run of lmp: its thermodynamic output, its dumps (*.dump of particles, *.local of
+    rows) and the files to keep. What it said is log; status is negative after a signal."""
 
-    def __init__(self, scene, ranks, may_fail):
+    def __init__(self, scene, ranks, may_fail, keep=""):
         folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
         try:
             for name, text in scene.files.items():
-                (folder / name).write_text(text)
+                (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
             (folder / "in.test").write_text("\n".join(scene.lines) + "\n")
-            command = [os.environ["TMSPH_LMP"], "-in", "in.test", "-screen", "none", "-nocite"]
+            command = [os.environ["TMSPH_LMP"], "-in", "in.test", "-log", "none", "-nocite"]
             environment = dict(os.environ, OMP_NUM_THREADS="1")
             if ranks > 1:
                 launcher = os.environ.get("TMSPH_MPIRUN")
@@ -174,13 +183,14 @@ class Run:
                                    OMPI_MCA_mpi_yield_when_idle="1")
             done = subprocess.run(command, cwd=folder, env=environment, text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            log = folder / "log.lammps"
-            self.log = log.read_text() if log.exists() else done.stdout
+            self.log, self.status = done.stdout, done.returncode
             self.failed = done.returncode != 0
             if self.failed and not may_fail:
-                raise RuntimeError("lmp stopped:\n" + done.stdout[-500:] + self.log[-3000:])
+                raise RuntimeError("lmp stopped:\n" + self.log[-3000:])
             self.tables = read_thermo(self.log)
             self.dumps = {file.stem: read_dump(file) for file in folder.glob("*.dump")}
+            self.dumps.update((file.stem, read_dump(file)) for file in folder.glob("*.local"))
+            self.kept = {file.name: file.read_bytes() for file in folder.glob(keep)} if keep else {}
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
@@ -223,19 +233,21 @@ class Frame(dict):
 
 
 def read_dump(path):
-    """The snapshots of a text dump, sorted by id."""
+    """The snapshots of a text dump, of particles sorted by id or of rows as they stand."""
     frames = []
     with open(path) as file:
         while line := file.readline():
             if line.startswith("ITEM: TIMESTEP"):
                 step = int(file.readline())
-            elif line.startswith("ITEM: NUMBER OF ATOMS"):
+            elif line.startswith("ITEM: NUMBER OF"):
                 n = int(file.readline())
-            elif line.startswith("ITEM: ATOMS"):
+            elif line.startswith(("ITEM: ATOMS", "ITEM: ENTRIES")):
                 names = line.split()[2:]
                 rows = np.array([file.readline().split() for _ in range(n)], float)
                 rows = rows.reshape(-1, len(names))
-                frame = Frame(zip(names, rows[rows[:, names.index("id")].argsort()].T))
+                if "id" in names:
+                    rows = rows[rows[:, names.index("id")].argsort()]
+                frame = Frame(zip(names, rows.T))
                 frame.step = step
                 frames.append(frame)
     return frames
