@@ -46,17 +46,10 @@ AtomVecTMSPH::AtomVecTMSPH(LAMMPS *lmp) :
 
 /* ---------------------------------------------------------------------- */
 
-void AtomVecTMSPH::init()
-{
-  AtomVec::init();
-  if (atom->tag_enable == 0)
-    error->all(FLERR, "Atom style tmsph needs atom ids: remove 'atom_modify id no'");
-}
-
-/* ---------------------------------------------------------------------- */
-
 void AtomVecTMSPH::grow_pointers()
 {
+  if (atom->tag_enable == 0)    // told here, before LAMMPS tries to map ids
+    error->all(FLERR, "Atom style tmsph needs atom ids: remove 'atom_modify id no'");
   rmass = atom->rmass;
   vfrac = atom->vfrac;
   x0 = atom->x0;

@@ -21,7 +21,6 @@ namespace LAMMPS_NS {
 class AtomVecTMSPH : public AtomVec {
  public:
   AtomVecTMSPH(class LAMMPS *);
-  void init() override;
   void grow_pointers() override;
   void create_atom_post(int) override;
   void data_atom_post(int) override;

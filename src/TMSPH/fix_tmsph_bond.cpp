@@ -29,11 +29,13 @@ using TMSPH::WIDTH;
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), lag(nullptr),
-    kappa(0.0), period{0.0, 0.0, 0.0},
-    natoms_at_setup(0),
-    bonds_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
+    horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0), bonds_at_estimate(-1),
+    coefficients_at_estimate(-1), stable_timestep(0.0), reported(false), version(0),
+    what_to_send(REFERENCE)
 {
-  if (narg != 3) error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph");
+  if (narg != 3 || strcmp(id, ID) != 0)
+    error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
+                      "this one");
   restart_global = 1;
   restart_peratom = 1;
   create_attribute = 1;
@@ -73,6 +75,15 @@ void FixTMSPHBond::init()
   pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
   if (!pair) error->all(FLERR, "The bonds of pair style tmsph are left without their pair style");
 
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Pair style tmsph cannot run with run_style {}: use run_style verlet",
+               update->integrate_style);
+  if (bonds_formed && horizon != pair->horizon())
+    error->all(FLERR,
+               "Horizon {} of pair_style tmsph differs from {}, with which the bonds have formed: "
+               "keep it, or 'clear' and start anew",
+               pair->horizon(), horizon);
+
   if (pair->viscous()) want_lag();
 
   // a neighbor list serves once, to form the families
@@ -95,10 +106,12 @@ void FixTMSPHBond::setup_post_neighbor()
   const bool fresh = !bonds_formed;
   if (fresh)
     form();
-  else
+  else {
+    refuse_strangers();
     follow_ids();
+  }
   send_references();
-  lay_out(true);
+  lay_out();
   natoms_at_setup = atom->natoms;
 }
 
@@ -106,8 +119,9 @@ void FixTMSPHBond::setup_post_neighbor()
 
 void FixTMSPHBond::post_neighbor()
 {
+  refuse_strangers();
   send_references();
-  lay_out(false);
+  lay_out();
 }
 
 /* ----------------------------------------------------------------------
@@ -120,7 +134,7 @@ void FixTMSPHBond::form()
   const int nlocal = atom->nlocal;
   pair->complete_particles();
   const int *periodicity = domain->periodicity;
-  const double horizon = pair->horizon();
+  horizon = pair->horizon();
   if (comm->get_comm_cutoff() < horizon)
     error->all(FLERR,
                "The ghost cutoff {} is shorter than the horizon {} of pair style tmsph: raise it "
@@ -135,6 +149,7 @@ void FixTMSPHBond::form()
                  period[k], "xyz"[k], horizon);
   }
   for (int i = 0; i < nlocal; i++) domain->unmap(atom->x[i], atom->image[i], atom->x0[i]);
+  comm->forward_comm_array(3, atom->x0);    // ghosts came with those of before
   send_references();
 
   neighbor->build_one(list);
@@ -157,7 +172,9 @@ void FixTMSPHBond::form()
                    atom->tag[i], atom->tag[j]);
       mine.push_back(atom->tag[j]);
     }
+    // in a short periodic box the list also has images beyond the nearest
     std::sort(mine.begin(), mine.end());
+    mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
     longest = std::max(longest, (int) mine.size());
   }
   list = nullptr;
@@ -197,26 +214,35 @@ void FixTMSPHBond::check_families() const
 }
 
 /* ----------------------------------------------------------------------
+   particles that came after the others had formed their bonds
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_strangers() const
+{
+  int strangers = 0, all;
+  for (int i = 0; i < atom->nlocal; i++) strangers += own_tag[i] == 0;
+  MPI_Allreduce(&strangers, &all, 1, MPI_INT, MPI_SUM, world);
+  if (all)
+    error->all(FLERR,
+               "{} particles were created after the bonds had formed: create all particles before "
+               "the first run, or 'clear' and start anew",
+               all);
+}
+
+/* ----------------------------------------------------------------------
    reset_atoms id and delete_atoms with compression give particles new ids:
-   follow them, as long as the partners are still within reach
+   follow them, as long as the partners are still within reach. The bonds of
+   deleted particles are forgotten.
 ------------------------------------------------------------------------- */
 
 void FixTMSPHBond::follow_ids()
 {
   const int nlocal = atom->nlocal;
-  int changed = 0, strangers = 0;
-  for (int i = 0; i < nlocal; i++) {
-    if (own_tag[i] == 0) strangers++;
-    if (own_tag[i] != atom->tag[i]) changed++;
-  }
-  int flags[2] = {changed, strangers}, all[2];
-  MPI_Allreduce(flags, all, 2, MPI_INT, MPI_SUM, world);
-  if (all[1])
-    error->all(FLERR,
-               "{} particles were created after the bonds had formed: create all particles before "
-               "the first run, or 'clear' and start anew",
-               all[1]);
-  if (!all[0]) return;
+  int other = 0, all;
+  for (int i = 0; i < nlocal; i++) other += own_tag[i] != atom->tag[i];
+  MPI_Allreduce(&other, &all, 1, MPI_INT, MPI_SUM, world);
+  const bool renamed = all > 0, deleted = atom->natoms < natoms_at_setup;
+  if (!renamed && !deleted) return;
 
   former_tag.assign(own_tag, own_tag + nlocal);
   former_tag.resize(nlocal + atom->nghost);
@@ -229,7 +255,10 @@ void FixTMSPHBond::follow_ids()
     std::vector<std::pair<tagint, unsigned char>> kept;
     for (int k = 0; k < npartner[i]; k++) {
       const auto found = present.find(partner[i][k]);
-      if (found != present.end()) kept.emplace_back(found->second, state[i][k]);
+      if (found != present.end())
+        kept.emplace_back(found->second, state[i][k]);
+      else if (!renamed && state[i][k] != INTACT)
+        kept.emplace_back(partner[i][k], state[i][k]);    // not deleted, perhaps: out of reach
     }
     std::sort(kept.begin(), kept.end());
     npartner[i] = kept.size();
@@ -323,11 +352,10 @@ int FixTMSPHBond::find_partner(int i, tagint id) const
    a bond that is gone keeps its place with weight 0
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::lay_out(bool at_setup)
+void FixTMSPHBond::lay_out()
 {
   const int nlocal = atom->nlocal;
   const int nslice = (nlocal + WIDTH - 1) / WIDTH;
-  const bool deleted = at_setup && atom->natoms < natoms_at_setup;
 
   slices.particle.resize((size_t) nslice * WIDTH);
   slices.valid.resize(nslice);
@@ -358,16 +386,11 @@ void FixTMSPHBond::lay_out(bool at_setup)
         slices.weight[at] = 0.0f;
         if (!pad && k < npartner[i]) {
           j = find_partner(i, partner[i][k]);
-          if (j < 0 && state[i][k] == INTACT) {
-            if (deleted)
-              state[i][k] = CUT;
-            else
-              error->one(FLERR,
-                         "Particle {} lost its bonded partner {} on step {}: it moved farther than "
-                         "the ghost cutoff {}; raise it with comm_modify cutoff or let the bond "
-                         "break",
-                         atom->tag[i], partner[i][k], update->ntimestep, comm->get_comm_cutoff());
-          }
+          if (j < 0 && state[i][k] == INTACT)
+            error->one(FLERR,
+                       "Particle {} lost its bonded partner {} on step {}: it moved farther than the "
+                       "ghost cutoff {}; raise it with comm_modify cutoff or let the bond break",
+                       atom->tag[i], partner[i][k], update->ntimestep, comm->get_comm_cutoff());
           if (j >= 0 && state[i][k] == INTACT) slices.weight[at] = pair->bond_weight(i, j);
         }
         slices.partner[at] = j < 0 ? i : j;

@@ -95,10 +95,12 @@ class FixTMSPHBond : public Fix {
   // step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2], and
   // the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
   double **lag;                 // allocated with viscosity only
+  double horizon;               // with which the bonds formed
   double kappa;                 // tr K/D of the interior when the bonds formed
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
   bigint bonds_at_estimate;     // intact bonds when the time step was estimated last
+  int coefficients_at_estimate;
   double stable_timestep;
   bool reported;
   int version;
@@ -109,9 +111,10 @@ class FixTMSPHBond : public Fix {
   std::vector<tagint> former_tag;    // of ghosts too, while ids are being followed
 
   void form();
+  void refuse_strangers() const;
   void follow_ids();
   void send_references();
-  void lay_out(bool at_setup);
+  void lay_out();
   int find_partner(int, tagint) const;
   void check_families() const;
   void check_timestep();

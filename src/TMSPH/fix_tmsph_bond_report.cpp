@@ -34,15 +34,17 @@ void FixTMSPHBond::setup(int /*vflag*/)
 
 /* ----------------------------------------------------------------------
    the estimate costs some tens of force evaluations: it is repeated only
-   when a hundredth of the bonds has gone since
+   when a hundredth of the bonds has gone since, or the coefficients changed
 ------------------------------------------------------------------------- */
 
 void FixTMSPHBond::check_timestep()
 {
   const bigint intact = count_bonds(INTACT);
-  if (bonds_at_estimate < 0 || intact < 0.99 * bonds_at_estimate) {
+  if (coefficients_at_estimate != pair->coefficients_version() ||
+      intact < 0.99 * bonds_at_estimate) {
     stable_timestep = pair->stable_timestep();
     bonds_at_estimate = intact;
+    coefficients_at_estimate = pair->coefficients_version();
   }
   bool integrates = false;
   for (const auto &fix : modify->get_fix_list()) integrates = integrates || fix->time_integrate;

@@ -150,25 +150,26 @@ const double *FixTMSPHBond::setup_velocity(int i) const
 void FixTMSPHBond::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const double list[7] = {(double) bonds_formed, (double) maxpartner, (double) (lag != nullptr),
+  const double list[8] = {(double) bonds_formed, (double) maxpartner, (double) (lag != nullptr),
                           period[0],             period[1],           period[2],
-                          kappa};
+                          kappa,                 horizon};
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(list, sizeof(double), 7, fp);
+  fwrite(list, sizeof(double), 8, fp);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHBond::restart(char *buf)
 {
-  double list[7];
+  double list[8];
   memcpy(list, buf, sizeof(list));
   bonds_formed = list[0] != 0.0;
   resize_partners((int) list[1]);
   if (list[2] != 0.0) want_lag();
   for (int k = 0; k < 3; k++) period[k] = list[3 + k];
   kappa = list[6];
+  horizon = list[7];
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
   natoms_at_setup = atom->natoms;
 }

@@ -58,7 +58,7 @@ template <int D> void PairTMSPH::evaluate()
     out.inverted_breaks = true;
   }
   gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
-  if (inverted >= 0) stop_inverted<D>(inverted);
+  if (inverted >= 0) stop_inverted(inverted);
   if (testing) test_bonds<D>();
   send(FORCE_ROWS);
 
@@ -255,11 +255,15 @@ template <int D> void PairTMSPH::update_kinematics()
     for (int k = 0; k < D; k++) row[R::U + k] = x[i][k] - row[R::X + k];
   }
   if (on.thermal == ThermalStrain::NONE) return;
+  bool possible = true;
   for (int i = 0; i < nall; i++) {
     const Material &m = materials[atom->type[i]];
-    kinematic[(size_t) i * R::KINEMATIC + R::THERMAL] = m.elastic.young * m.elastic.expansion *
+    const double push = m.elastic.young * m.elastic.expansion *
         (atom->temperature[i] - m.reference_temperature);
+    kinematic[(size_t) i * R::KINEMATIC + R::THERMAL] = push;
+    possible &= push > -m.elastic.young;    // false for NaN
   }
+  if (!possible) stop_thermal();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -325,18 +329,6 @@ template <int D> void PairTMSPH::test_bonds()
     if (q != last_slice) gradient_sweep<D>(on, slices(), q, q + 1, kinematic.data(), out);
     last_slice = q;
   }
-}
-
-/* ---------------------------------------------------------------------- */
-
-template <int D> void PairTMSPH::stop_inverted(int i)
-{
-  const double *x = atom->x[i];
-  error->one(FLERR,
-             "Particle {} at ({:.8g}, {:.8g}, {:.8g}) is turned inside out or not a number on step "
-             "{}: the load is too fast, the time step too long, or the material must be allowed to "
-             "break (fix tmsph/hoekbrown)",
-             atom->tag[i], x[0], x[1], x[2], update->ntimestep);
 }
 
 /* ---------------------------------------------------------------------- */

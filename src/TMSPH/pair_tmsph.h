@@ -76,6 +76,8 @@ class PairTMSPH : public Pair {
   /// masses, temperatures and checks of volumes, before the bonds form
   void complete_particles();
   void set_break_test(BreakTest *test) { break_test = test; }
+  /// grows with every pair_style and pair_coeff command
+  int coefficients_version() const { return coefficients; }
   bool viscous() const { return on.viscosity; }
   /// velocity that the last step's viscosity took for local particle i; nullptr in a setup
   const double *step_velocity(int i) const;
@@ -113,6 +115,7 @@ class PairTMSPH : public Pair {
   FixTMSPHBond *bond_fix;
   BreakTest *break_test;
 
+  int coefficients;
   bool stepped;                                   // the rows hold the velocities of a step
   int prepared_version;                           // layout that the arrays below belong to
   std::vector<double> kinematic, force_row;       // [nlocal+nghost][Rows::...]
@@ -134,7 +137,8 @@ class PairTMSPH : public Pair {
   template <int D> void evaluate();
   template <int D> void test_bonds();
   template <int D> void own_side_stress(bool inverted_breaks);
-  template <int D> void stop_inverted(int);
+  void stop_inverted(int);
+  void stop_thermal();
   template <int D> double stable_timestep_in();
   void send(decltype(FORCE_ROWS));
   std::pair<double *, int> rows_to_send();

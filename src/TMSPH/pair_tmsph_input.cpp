@@ -14,6 +14,7 @@
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
+#include "neighbor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ static constexpr double MAX_POISSON = 0.45;
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr),
-    stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
+    coefficients(0), stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;
@@ -89,6 +90,7 @@ void PairTMSPH::settings(int narg, char **arg)
 {
   if (narg < 1) utils::missing_cmd_args(FLERR, "pair_style tmsph", error);
   cutoff = utils::numeric(FLERR, arg[0], false, lmp);
+  coefficients++;
   if (cutoff <= 0.0)
     error->all(FLERR, "Horizon {} of pair_style tmsph must be positive: about 3 particle spacings",
                arg[0]);
@@ -148,6 +150,7 @@ void PairTMSPH::coeff(int narg, char **arg)
 {
   if (narg < 3) utils::missing_cmd_args(FLERR, "pair_coeff for pair style tmsph", error);
   if (!allocated) allocate();
+  coefficients++;
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
@@ -202,7 +205,10 @@ void PairTMSPH::coeff(int narg, char **arg)
                "in this formulation; use {} at most",
                arg[4], MAX_POISSON, MAX_POISSON);
   if (m.density <= 0.0)
-    error->all(FLERR, "Pair_coeff ... elastic needs a positive density: add 'density rho'");
+    error->all(FLERR,
+               "Density {} in pair_coeff ... elastic must be positive: add 'density rho' with the "
+               "density at rest",
+               m.density);
 
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
@@ -229,6 +235,12 @@ void PairTMSPH::init_style()
     error->all(FLERR, "Pair style tmsph needs an orthogonal box: the box is triclinic");
   if (domain->dimension == 3 && plane == Plane::STRESS)
     error->all(FLERR, "Pair_style tmsph plane stress needs dimension 2: remove it in 3-D");
+
+  if (neighbor->skin > cutoff && comm->me == 0)
+    error->warning(FLERR,
+                   "The neighbor skin {} is longer than the horizon {}: lists and ghosts are needlessly "
+                   "many; set for instance 'neighbor {:.2g} bin'",
+                   neighbor->skin, cutoff, 0.3 * cutoff);
 
   bool expands = false;
   for (int i = 1; i <= atom->ntypes; i++) {
@@ -301,8 +313,8 @@ void PairTMSPH::complete_particles()
       atom->rmass[i] = mass;
     else if (!(std::fabs(atom->rmass[i] - mass) <= AGREE * mass))
       error->one(FLERR,
-                 "Particle {} has mass {}, but density {} times volume {} is {}: correct one of "
-                 "them, or leave the mass out",
+                 "Particle {} has mass {:.8g}, but density {:.8g} times volume {:.8g} is {:.8g}: "
+                 "correct one of them, or leave the mass out",
                  atom->tag[i], atom->rmass[i], m.density, volume, mass);
   }
 }

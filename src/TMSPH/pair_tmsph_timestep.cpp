@@ -18,10 +18,11 @@ using namespace LAMMPS_NS;
 using namespace TMSPH;
 
 /* ----------------------------------------------------------------------
-   Velocity Verlet with stiffness K and damping C on masses M is stable while
-   dt^2/4 lambda_K + dt/2 lambda_C <= 1, lambda the largest eigenvalue of
-   M^-1 K and of M^-1 C. Both come from power iteration: the force sweeps are
-   applied to a trial displacement (or velocity) about the present state.
+   Velocity Verlet with stiffness K and damping C on masses M (viscous forces
+   see the velocity of half a step before) is stable while the largest
+   eigenvalue of M^-1 (dt^2/4 K + dt/2 C) is at most 1. Power iteration: the
+   force sweeps are applied to a trial displacement about the present state,
+   with 2/dt times that as the velocity, and dt follows the eigenvalue.
    Power iteration approaches from below; SAFETY covers what is left.
 ------------------------------------------------------------------------- */
 
@@ -44,71 +45,61 @@ template <int D> double PairTMSPH::stable_timestep_in()
   if (prepared_version != bond_fix->layout_version()) prepare<D>();
 
   std::vector<double> trial(3 * (size_t) nlocal), at_rest(trial.size()), pushed(trial.size());
-  Features elastic = on;
-  elastic.viscosity = false;
+  const std::vector<double> rows_of_step = force_row;    // the velocities in them may be wanted yet
+  const double step = 1.0e-6 * cutoff;
+  const Material &first = materials[1];
+  double dt = cutoff / std::sqrt(first.elastic.wave_modulus / first.density);    // to begin with
   Viscosity linear = viscosity;
   linear.alpha2 = 0.0;
 
-  // forces at the present positions plus "step" times the trial displacements
+  // forces when the particles are displaced by "push" times the trial vector
 
-  const auto forces = [&](double step, bool viscous, std::vector<double> &f) {
+  const auto forces = [&](double push, std::vector<double> &f) {
     update_kinematics<D>();
     for (int i = 0; i < nlocal; i++)
       for (int k = 0; k < D; k++) {
-        const double p = step * trial[3 * (size_t) i + k];
-        if (viscous)
-          force_row[(size_t) i * R::FORCE + R::V + k] = p;
-        else
-          kinematic[(size_t) i * R::KINEMATIC + R::U + k] += p;
+        const double p = push * trial[3 * (size_t) i + k];
+        kinematic[(size_t) i * R::KINEMATIC + R::U + k] += p;
+        force_row[(size_t) i * R::FORCE + R::V + k] = 2.0 / dt * p;
       }
-    if (!viscous) send(DISPLACEMENT);
+    send(DISPLACEMENT);
     GradientOutput out;
     out.force_row = force_row.data();
     gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
     send(FORCE_ROWS);
     f.assign(trial.size(), 0.0);
-    force_sweep<D>(viscous ? on : elastic, slices(), linear, kinematic.data(), force_row.data(),
-                   f.data());
+    force_sweep<D>(on, slices(), linear, kinematic.data(), force_row.data(), f.data());
   };
 
-  const auto largest_eigenvalue = [&](bool viscous) {
-    // a linear term takes any step; the elastic one is differentiated with a small one
-    const double step = viscous ? 1.0 : 1.0e-6 * cutoff;
-    double eigenvalue = 0.0;
-    for (int i = 0; i < nlocal; i++)
-      for (int k = 0; k < 3; k++)
-        trial[3 * (size_t) i + k] =
-            k < D ? uniform_random(atom->tag[i], 7919, k) - 0.5 : 0.0;
-    forces(0.0, viscous, at_rest);
-    for (int iteration = 0; iteration < ITERATIONS; iteration++) {
-      // one scale for all: the largest trial component is 1
-      double largest = 0.0, all = 0.0;
-      for (double p : trial) largest = std::max(largest, std::fabs(p));
-      MPI_Allreduce(&largest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-      if (all == 0.0) return 0.0;
-      for (double &p : trial) p /= all;
-      forces(step, viscous, pushed);
-      double product[2] = {0.0, 0.0}, sum[2];    // p.K p and p.M p
-      for (int i = 0; i < nlocal; i++)
-        for (int k = 0; k < D; k++) {
-          const size_t at = 3 * (size_t) i + k;
-          const double Kp = (at_rest[at] - pushed[at]) / step;
-          product[0] += trial[at] * Kp;
-          product[1] += trial[at] * trial[at] * atom->rmass[i];
-          trial[at] = Kp / atom->rmass[i];
-        }
-      MPI_Allreduce(product, sum, 2, MPI_DOUBLE, MPI_SUM, world);
-      const double former = eigenvalue;
-      eigenvalue = sum[0] / sum[1];
-      if (!(std::fabs(eigenvalue - former) > TOLERANCE * std::fabs(eigenvalue))) break;
+  for (int i = 0; i < nlocal; i++)
+    for (int k = 0; k < 3; k++)
+      trial[3 * (size_t) i + k] = k < D ? uniform_random(atom->tag[i], 7919, k) - 0.5 : 0.0;
+  forces(0.0, at_rest);
+  for (int iteration = 0; iteration < ITERATIONS; iteration++) {
+    // one scale for all: the largest trial component is 1
+    double largest = 0.0, all = 0.0;
+    for (double p : trial) largest = std::max(largest, std::fabs(p));
+    MPI_Allreduce(&largest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+    if (all == 0.0) {
+      dt = HUGE_VAL;
+      break;
     }
-    return SAFETY * std::fabs(eigenvalue);
-  };
-
-  const double stiffness = largest_eigenvalue(false);
-  const double damping = on.viscosity ? largest_eigenvalue(true) : 0.0;
-  prepared_version = -1;    // the rows hold trial values: fill them anew
-  stepped = false;
-  if (!(stiffness > 0.0)) return HUGE_VAL;
-  return 4.0 / (damping + std::sqrt(damping * damping + 4.0 * stiffness));
+    for (double &p : trial) p /= all;
+    forces(step, pushed);
+    double product[2] = {0.0, 0.0}, sum[2];    // p.A p and p.M p, A = dt^2/4 K + dt/2 C
+    for (int i = 0; i < nlocal; i++)
+      for (int k = 0; k < D; k++) {
+        const size_t at = 3 * (size_t) i + k;
+        const double Ap = 0.25 * dt * dt * (at_rest[at] - pushed[at]) / step;
+        product[0] += trial[at] * Ap;
+        product[1] += trial[at] * trial[at] * atom->rmass[i];
+        trial[at] = Ap / atom->rmass[i];
+      }
+    MPI_Allreduce(product, sum, 2, MPI_DOUBLE, MPI_SUM, world);
+    const double eigenvalue = std::fabs(sum[0] / sum[1]);
+    dt /= std::sqrt(eigenvalue);
+    if (!(std::fabs(eigenvalue - 1.0) > TOLERANCE)) break;
+  }
+  force_row = rows_of_step;
+  return dt / std::sqrt(SAFETY);
 }

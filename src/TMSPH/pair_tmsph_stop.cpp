@@ -1,0 +1,61 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   States of the particles that pair style tmsph cannot go on from.
+------------------------------------------------------------------------- */
+
+#include "pair_tmsph.h"
+
+#include "atom.h"
+#include "error.h"
+#include "fix_tmsph_bond.h"
+#include "update.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+/* ----------------------------------------------------------------------
+   local particle i has no deformation gradient, or one that is inside out:
+   if a number is missing, tell whose
+------------------------------------------------------------------------- */
+
+void PairTMSPH::stop_inverted(int i)
+{
+  const auto finite = [this](int p) {
+    const double *x = atom->x[p];
+    return std::isfinite(x[0] + x[1] + x[2]);
+  };
+  int culprit = finite(i) ? -1 : i;
+  for (int k = 0; k < bond_fix->count(i) && culprit < 0; k++)
+    if (!finite(bond_fix->partner_index(i, k))) culprit = bond_fix->partner_index(i, k);
+  if (culprit >= 0)
+    error->one(FLERR,
+               "The position of particle {} is not a number on step {}: check its velocity and what "
+               "acts on it",
+               atom->tag[culprit], update->ntimestep);
+  const double *x = atom->x[i];
+  error->one(FLERR,
+             "Particle {} at ({:.8g}, {:.8g}, {:.8g}) is turned inside out on step {}: the load "
+             "is too fast, the time step too long, or the material must be allowed to break (fix "
+             "tmsph/hoekbrown)",
+             atom->tag[i], x[0], x[1], x[2], update->ntimestep);
+}
+
+/* ----------------------------------------------------------------------
+   a strain of -1 leaves nothing of the particle
+------------------------------------------------------------------------- */
+
+void PairTMSPH::stop_thermal()
+{
+  for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
+    const Material &m = materials[atom->type[i]];
+    const double strain =
+        m.elastic.expansion * (atom->temperature[i] - m.reference_temperature);
+    if (!(strain > -1.0))
+      error->one(FLERR,
+                 "Particle {} has temperature {} and a thermal strain of {} on step {}: check its "
+                 "temperature, and 'expansion' and 'reference' in pair_coeff",
+                 atom->tag[i], atom->temperature[i], strain, update->ntimestep);
+  }
+}

@@ -1,0 +1,237 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""Wrong inputs: each ends with one error that names the word and the remedy,
+within seconds, and never with a signal."""
+
+import re
+
+from tmsph_testing import *
+
+# A small scene that works, in sections; a case replaces some of them
+
+PLATE = {
+    "space": "units si\ndimension 2\nboundary s s p",
+    "style": "atom_style tmsph",
+    "box": "lattice sq 1e-6\nlattice custom 1e-3 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0\n"
+           "region box block 0 8e-3 0 8e-3 -0.5e-3 0.5e-3 units box\ncreate_box 2 box",
+    "atoms": "create_atoms 1 box\nregion right block 4.5e-3 INF INF INF INF INF units box\n"
+             "set region right type 2",
+    "volume": "set group all volume 1e-6",
+    "pair": "pair_style tmsph 3.015e-3",
+    "coeff": "pair_coeff * * elastic 40e9 0.3 density 2700 expansion 1e-5",
+    "fix": "fix 1 all nve\ntimestep 1e-8",
+    "break": "fix hb all tmsph/hoekbrown strength * 150e6 mi * 8",
+    "more": "",
+    "run": "run 10",
+    "after": "",
+}
+CUBE = dict(
+    PLATE,
+    space="units si\ndimension 3\nboundary s s s",
+    box="lattice sc 1e-3\nlattice custom 1e-3 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0\n"
+        "region box block 0 5e-3 0 5e-3 0 5e-3 units box\ncreate_box 2 box",
+    volume="set group all volume 1e-9")
+PERIODIC = dict(PLATE, space="units si\ndimension 2\nboundary p p p", fix="fix 1 all nve\ntimestep 1e-8")
+NAN = "variable nan atom (1e308*10)-(1e308*10)\n"
+NO_BOX = dict(box="", atoms="read_data cloud.data")
+DATA = """cloud
+
+4 atoms
+2 atom types
+0 1e-2 xlo xhi
+0 1e-2 ylo yhi
+-5e-4 5e-4 zlo zhi
+
+Atoms # tmsph
+
+1 1 {} {} 0 1e-3 1e-3 0
+2 1 1e-6 0 0 2e-3 1e-3 0
+3 1 1e-6 0 0 1e-3 2e-3 0
+4 1 1e-6 0 0 2e-3 2e-3 0
+"""
+HB = "fix hb all tmsph/hoekbrown strength * 150e6 mi * 8 "
+HEAT = "fix T all tmsph/heat/boundary "
+CUT = "tmsph/cut all "
+ELASTIC = "pair_coeff 1 1 elastic "
+
+# Scene, sections replaced, words that the message must hold in this order; "|" separates them
+
+CASES = [
+    (PLATE, dict(pair="pair_style tmsph"), "pair_style tmsph|missing"),
+    (PLATE, dict(pair="pair_style tmsph wide"), "floating point|wide"),
+    (PLATE, dict(pair="pair_style tmsph 0"), "Horizon 0|positive|3 particle spacings"),
+    (PLATE, dict(pair="pair_style tmsph -3e-3"), "Horizon -3e-3|positive"),
+    (PLATE, dict(pair="pair_style tmsph inf"), "inf"),
+    (PLATE, dict(pair="pair_style tmsph nan"), "nan"),
+    (PLATE, dict(pair="pair_style tmsph 0.9e-3"), "neighbors within the horizon 0.0009|3 particle"),
+    (PLATE, dict(pair="pair_style tmsph 3e-3 kernal cubic"), "kernal|use kernel"),
+    (PLATE, dict(pair="pair_style tmsph 3e-3 kernel"), "pair_style tmsph kernel|missing"),
+    (PLATE, dict(pair="pair_style tmsph 3e-3 kernel gauss"), "gauss|kernel|use|wendland"),
+    (PLATE, dict(pair="pair_style tmsph 3e-3 plane flat"), "flat|plane|use|strain"),
+    (PLATE, dict(pair="pair_style tmsph 3e-3 law hooke"), "hooke|law|use|svk"),
+    (PLATE, dict(pair="pair_style tmsph 3e-3 thermal on"), "on|thermal|use|bond"),
+    (PLATE, dict(pair="pair_style tmsph 3e-3 hourglass -0.1"), "hourglass -0.1|negative|0.1"),
+    (PLATE, dict(pair="pair_style tmsph 3e-3 viscosity 1"), "viscosity|missing"),
+    (PLATE, dict(pair="pair_style tmsph 3e-3 viscosity 1 -2"), "viscosity 1 -2|negative|1 2"),
+    (CUBE, dict(pair="pair_style tmsph 3e-3 plane stress"), "plane stress|dimension 2|remove"),
+    (PLATE, dict(pair=""), "Pair_coeff|without a pair style"),
+    (PLATE, dict(pair="", coeff=""), "tmsph/hoekbrown needs pair style tmsph"),
+    (PLATE, dict(pair="pair_style zero 3e-3", coeff="pair_coeff * *"),
+     "tmsph/hoekbrown needs pair style tmsph"),
+    (PLATE, dict(coeff="pair_coeff 1 1"), "pair_coeff|missing"),
+    (PLATE, dict(coeff="pair_coeff 1 1 plastic 40e9 0.3"), "plastic|use 'elastic"),
+    (PLATE, dict(coeff=ELASTIC + "40e9"), "elastic|missing"),
+    (PLATE, dict(coeff=ELASTIC + "0 0.3 density 2700"), "Young's modulus 0|positive"),
+    (PLATE, dict(coeff=ELASTIC + "-4e9 0.3 density 2700"), "Young's modulus -4e9|positive"),
+    (PLATE, dict(coeff=ELASTIC + "40e9 0.5 density 2700"), "Poisson's ratio 0.5|between -1 and 0.5"),
+    (PLATE, dict(coeff=ELASTIC + "40e9 -1 density 2700"), "Poisson's ratio -1|between -1 and 0.5"),
+    (PLATE, dict(coeff=ELASTIC + "40e9 0.49 density 2700"), "Poisson's ratio 0.49|locks|0.45"),
+    (PLATE, dict(coeff=ELASTIC + "40e9 0.3"), "Density 0|add 'density rho'"),
+    (PLATE, dict(coeff=ELASTIC + "40e9 0.3 density -1"), "Density -1|positive"),
+    (PLATE, dict(coeff=ELASTIC + "40e9 0.3 density"), "density|missing"),
+    (PLATE, dict(coeff=ELASTIC + "40e9 0.3 density 2700 alpha 1e-5"), "alpha|use density"),
+    (PLATE, dict(coeff="pair_coeff 3 3 elastic 40e9 0.3 density 2700"), "3|1-2"),
+    (PLATE, dict(coeff="pair_coeff 1 2 elastic 40e9 0.3 density 2700"), "elastic|one type|'bonded'"),
+    (PLATE, dict(coeff=ELASTIC + "40e9 0.3 density 2700"), "pair coeffs|not set"),
+    (PLATE, dict(more="pair_coeff 1 1 none"), "1 1 none|two different types"),
+    (PLATE, dict(more="pair_coeff 1 2 bonded 5"), "5|bonded|remove"),
+    (PLATE, dict(style="atom_style atomic", volume="mass * 1"), "atom_style tmsph|atomic"),
+    (PLATE, dict(style="atom_style tmsph 3"), "atom_style"),
+    (PLATE, dict(style="atom_style tmsph\natom_modify id no"), "needs atom ids|remove 'atom_modify id no'"),
+    (PLATE, dict(box="region box prism 0 8e-3 0 8e-3 -5e-4 5e-4 1e-3 0 0 units box\n"
+                     "lattice custom 1e-3 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0\ncreate_box 2 box"),
+     "triclinic"),
+    (PLATE, dict(volume=""), "volume 0|set group all volume"),
+    (PLATE, dict(volume="set group all volume -1"), "volume"),
+    (PLATE, dict(more="set atom 7 mass 1"), "Particle 7|mass 1|density 2700|0.0027:|leave the mass out"),
+    (PLATE, dict(more="create_atoms 1 single 2e-3 2e-3 0 units box\nset group all volume 1e-6"),
+     "stand on the same place|delete_atoms overlap"),
+    (PLATE, dict(NO_BOX,  files=DATA.format("0", "0")), "volume 0|positive"),
+    (PLATE, dict(NO_BOX,  files=DATA.format("1e-6", "-1")), "mass -1|or 0"),
+    (PLATE, dict(NO_BOX,  files=DATA.format("1e-6", "1")), "Particle 1|mass 1|leave the mass out"),
+    (PERIODIC, dict(box=PLATE["box"].replace("8e-3", "5e-3")), "length 0.005 in x|two horizons|enlarge"),
+    (PLATE, dict(more="timestep 1e-6"), "time step 1e-06|stable one|timestep"),
+    (PLATE, dict(after="create_atoms 1 single 2.5e-3 2.5e-3 0 units box\nset group all volume 1e-6\nrun 1"),
+     "1 particles were created after|before the first run"),
+    (PLATE, dict(more="region in block 5e-3 7e-3 5e-3 7e-3 -1e-4 1e-4 units box\n"
+                     "fix in all deposit 2 1 5 77 region in", run="run 50"),
+     "created|before the first run"),
+    (PERIODIC, dict(box=PLATE["box"].replace("8e-3", "20e-3"), after="displace_atoms all random 8e-3 8e-3 "
+                    "0 5 units box\nrun 1"), "lost its bonded partner|step 10|comm_modify cutoff"),
+    (PLATE, dict(more=NAN + "set atom 5 x v_nan"), "Non-numeric atom coords"),
+    (PLATE, dict(after=NAN + "set atom 5 x v_nan\nrun 1"), "Non-numeric atom coords"),
+    (PLATE, dict(after="velocity all set 1e300 0 0\nrun 1"), "Domain too large"),
+    (PLATE, dict(after=NAN + "set atom 5 vx v_nan\nrun 5"), "particle 5|not a number|step 11|velocity"),
+    (PLATE, dict(after=NAN + "set atom 5 temperature v_nan\nrun 5"), "Particle 5|temperature|nan|step 10"),
+    (PLATE, {"break": "", "after": "displace_atoms all ramp x 0 -20e-3 x 0 8e-3 units box\nrun 1"},
+     "turned inside out|step 10|tmsph/hoekbrown"),
+    (PLATE, dict(after="write_restart r\nclear\nread_restart r\npair_style none\nfix hb "
+                       "all tmsph/hoekbrown strength * 1e8 mi * 8\nrun 1"), "tmsph/hoekbrown needs pair style"),
+    (PLATE, dict(after="pair_style tmsph 4e-3\npair_coeff * * elastic 40e9 0.3 density 2700\nrun 1"),
+     "Horizon 0.004|0.003015|clear"),
+    (PLATE, dict(run="write_data out.data"), "Write_data before|temperature"),
+    (PLATE, dict(more="compute p all tmsph/property/atom sxx",
+                 run="write_dump all custom out.dump id c_p"), "ID p|before|run"),
+    (PLATE, dict(more="compute c all tmsph/crack\nvariable c equal c_c[1]", run="print $c"), "run"),
+    (PLATE, dict(more="compute d all tmsph/dt\nvariable d equal c_d", run="print $d"), "run"),
+    (PLATE, dict(more="compute b all tmsph/bond/local id1 id2",
+                 run="write_dump all local out.local c_b[1]"), "run"),
+    (PLATE, dict(run="run 0", after="replicate 2 1 1\nrun 0"), "replicate"),
+    (PLATE, dict(more="run_style respa 2 2 pair 2"), "respa|verlet"),
+    (PLATE, dict(more="fix x all tmsph/bond"), "internal"),
+    (PLATE, {"break": HB + "\nfix other all tmsph/hoekbrown strength * 150e6 mi * 8"},
+     "More than one fix tmsph/hoekbrown|single"),
+    (PLATE, {"break": "group some id 1 2\nfix hb some tmsph/hoekbrown strength * 1e6 mi * 8"},
+     "all particles|group all"),
+    (PLATE, {"break": "fix hb all tmsph/hoekbrown"}, "lacks the strength of type 1|add 'strength 1"),
+    (PLATE, {"break": "fix hb all tmsph/hoekbrown strength * 1e6"}, "lacks the mi of type 1|add 'mi 1"),
+    (PLATE, {"break": "fix hb all tmsph/hoekbrown strength 1 1e6 mi * 8"}, "strength of type 2|add"),
+    (PLATE, {"break": HB + "strength 3 1e6"}, "3|1-2"),
+    (PLATE, {"break": HB + "strength 1"}, "strength|missing"),
+    (PLATE, {"break": HB + "strength 1 high"}, "floating point|high"),
+    (PLATE, {"break": HB + "strength 1 0"}, "strength 0|positive"),
+    (PLATE, {"break": HB + "mi 1 -8"}, "mi -8|positive"),
+    (PLATE, {"break": HB + "gsi 1 0"}, "gsi 0|100"),
+    (PLATE, {"break": HB + "gsi 1 101"}, "gsi 101|100"),
+    (PLATE, {"break": HB + "disturbance * 1.5"}, "disturbance 1.5|0 to 1"),
+    (PLATE, {"break": HB + "weibull * 0 5"}, "weibull 0|positive"),
+    (PLATE, {"break": HB + "weibull * 10"}, "weibull|missing"),
+    (PLATE, {"break": HB + "weibull * 10 0"}, "seed 0|positive integer"),
+    (PLATE, {"break": HB + "weibull * 10 1.5"}, "integer|1.5"),
+    (PLATE, {"break": HB + "principal both"}, "both|inplane or all"),
+    (PLATE, {"break": HB + "principal"}, "principal|missing"),
+    (PLATE, {"break": HB + "weakness 1 2"}, "weakness|use strength"),
+    (PLATE, dict(more="fix T all tmsph/heat/boundary"), "tmsph/heat/boundary|missing"),
+    (PLATE, dict(more=HEAT + "cold 5"), "cold|temperature"),
+    (PLATE, dict(more=HEAT + "temperature"), "missing"),
+    (PLATE, dict(more=HEAT + "temperature warm"), "floating point|warm"),
+    (PLATE, dict(more=HEAT + "temperature v_nowhere"), "nowhere|define"),
+    (PLATE, dict(more="variable T atom x\n" + HEAT + "temperature v_T"), "T|equal style"),
+    (PLATE, dict(more="variable T equal 1e308*10\n" + HEAT + "temperature v_T"), "inf|variable T"),
+    (PLATE, dict(more="variable T equal (1e308*10)-(1e308*10)\n" + HEAT + "temperature v_T"),
+     "nan|step 0|variable T"),
+    (PLATE, dict(more=HEAT + "temperature 5 where body"), "where|place"),
+    (PLATE, dict(more=HEAT + "temperature 5 place"), "place|missing"),
+    (PLATE, dict(more=HEAT + "temperature 5 place edge"), "edge|body"),
+    (PLATE, dict(more=HEAT + "temperature -1e7", run="run 1"), "temperature -10000000|thermal strain|expansion"),
+    (PLATE, {"style": "atom_style atomic", "volume": "mass * 1", "pair": "", "coeff": "", "break": "",
+             "more": HEAT + "temperature 5"}, "tmsph/heat/boundary|atom_style tmsph"),
+    (PLATE, dict(more="tmsph/cut"), "tmsph/cut|missing"),
+    (PLATE, dict(more=CUT), "tmsph/cut|missing"),
+    (PLATE, dict(space="tmsph/cut all line 0 0 1 1"), "tmsph/cut before the simulation box"),
+    (PLATE, dict(more="tmsph/cut some line 0 0 1 1"), "some|define"),
+    (PLATE, dict(more=CUT + "wedge 1 2 3"), "wedge|line or arc"),
+    (PLATE, dict(more=CUT + "disc 0 0 0 0 0 1 1"), "disc|dimension 3|line or arc"),
+    (PLATE, dict(more=CUT + "polygon 3 0 0 0 1 0 0 0 1 0"), "polygon|dimension 3|line or arc"),
+    (CUBE, dict(more=CUT + "line 0 0 1 1"), "line|dimension 2|disc or polygon"),
+    (CUBE, dict(more=CUT + "arc 0 0 1 0 90"), "arc|dimension 2|disc or polygon"),
+    (PLATE, dict(more=CUT + "line 0 0 1"), "tmsph/cut line|missing"),
+    (PLATE, dict(more=CUT + "line 0 0 1 x"), "floating point|x"),
+    (PLATE, dict(more=CUT + "line 0 0 1 1 2"), "2|line|4"),
+    (PLATE, dict(more=CUT + "line 1 1 1 1"), "line|no length|different"),
+    (PLATE, dict(more=CUT + "arc 0 0 0 0 90"), "Radius 0|positive"),
+    (PLATE, dict(more=CUT + "arc 0 0 1e-3 90 0"), "90 to 0|larger"),
+    (PLATE, dict(more=CUT + "arc 0 0 1e-3 0 400"), "0 to 400|360"),
+    (CUBE, dict(more=CUT + "disc 0 0 0 0 0 0 1"), "normal|zero"),
+    (CUBE, dict(more=CUT + "disc 0 0 0 0 0 1 -1"), "Radius -1|positive"),
+    (CUBE, dict(more=CUT + "polygon 2 0 0 0 1 1 1"), "at least 3 corners|2"),
+    (CUBE, dict(more=CUT + "polygon 3 0 0 0 1 1 1 2 2 2"), "no area"),
+    (CUBE, dict(more=CUT + "polygon 4 0 0 0 1 0 0 1 1 0 0 1 1"), "not flat|triangles"),
+    (CUBE, dict(more=CUT + "polygon 4 0 0 0 1 0 0 1 1 0"), "polygon|missing"),
+    (PLATE, {"pair": "", "coeff": "", "break": "", "more": CUT + "line 0 0 1 1"},
+     "tmsph/cut needs pair style tmsph"),
+    (PLATE, dict(coeff="", more=CUT + "line 0 0 1 1"), "pair coeff"),
+    (PLATE, dict(more="compute p all tmsph/property/atom"), "tmsph/property/atom|missing"),
+    (PLATE, dict(more="compute p all tmsph/property/atom ux spin"), "spin|use ux"),
+    (PLATE, {"break": "", "more": "compute p all tmsph/property/atom strength"},
+     "strength|needs a fix tmsph/hoekbrown"),
+    (PLATE, {"pair": "", "coeff": "", "break": "", "more": "compute p all tmsph/property/atom ux"},
+     "tmsph/property/atom needs pair style tmsph"),
+    (PLATE, dict(more="compute c all tmsph/crack 5"), "5|tmsph/crack|none"),
+    (PLATE, dict(more="compute d all tmsph/dt 5"), "5|tmsph/dt|none"),
+    (PLATE, dict(more="compute b all tmsph/bond/local"), "tmsph/bond/local|missing"),
+    (PLATE, dict(more="compute b all tmsph/bond/local id1 age"), "age|use id1"),
+    (PLATE, dict(more="compute b all tmsph/bond/local id1 only bent"), "bent|use all"),
+    (PLATE, dict(more="compute b all tmsph/bond/local id1 only"), "only|missing"),
+]
+
+
+def check(report, scene, changes, words):
+    files = {"cloud.data": changes["files"]} if "files" in changes else {}
+    sections = dict(scene, **changes)
+    sections.pop("files", None)
+    run = Script("\n".join(sections.values()), files).run(may_fail=True)
+    errors = [line for line in run.log.splitlines() if line.startswith("ERROR")]
+    pattern = ".*".join(re.escape(word) for word in words.split("|"))
+    good = len(errors) == 1 and 0 < run.status < 128 and re.search(pattern, errors[0])
+    changed = "; ".join(text for key, text in changes.items() if key != "files").replace("\n", "; ")
+    said = errors[0].partition("(/")[0] if len(errors) == 1 else f"{len(errors)} errors"
+    report.true(changed, good, f"{said}, status {run.status}" if not good else said)
+
+
+report = Report()
+works = [Script("\n".join(scene.values())).run() for scene in (PLATE, CUBE, PERIODIC)]
+report.true("the scenes work unchanged", all(run.thermo("Step")[-1] == 10 for run in works),
+            "a run of 10 steps")
+for case in CASES:
+    check(report, *case)
+report.finish()

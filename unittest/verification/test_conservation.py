@@ -1,0 +1,56 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""Forces sum to zero and have no torque, whatever the displacements, velocities
+and temperatures: jittered clouds of two materials, every law and option.
+Bars are round-off of the forces' sums."""
+
+from math import fsum
+
+from tmsph_testing import *
+
+SPACING = 1e-3
+MATERIALS = [material(40e9, 0.3, 2700, 1.5e-5), material(10e9, 0.2, 2000, -3e-5)]
+CLOUDS = {"2-D": ("square", (16, 14)), "3-D": ("sc", (8, 7, 6))}
+OPTIONS = ["", "hourglass 0", "thermal strain", "law almansi", "kernel cubic", "kernel quintic",
+           "plane stress"]
+
+
+def disturbed(dimension, options, viscous):
+    name, cells = CLOUDS[dimension]
+    cloud = lattice(name, cells, SPACING).jitter(0.2, 3)
+    cloud.type[np.random.default_rng(4).random(len(cloud)) < 0.4] = 2
+    cloud.volume *= np.random.default_rng(6).uniform(0.8, 1.2, len(cloud))
+    d = cloud.dimension
+    random = np.random.default_rng(7)
+    positions = cloud.X + 0.1 * SPACING * random.uniform(-1, 1, cloud.X.shape)
+    scene = Scene(cloud, MATERIALS, options + (" viscosity 1 2" if viscous else ""))
+    scene.add("run 0").move(positions)
+    scene.set("temperature", random.uniform(0, 3000, len(cloud)))
+    if viscous:
+        scene.set("vx vy vz"[: 3 * d - 1], random.uniform(-300, 300, cloud.X.shape))
+    frame = scene.dump("d", "x y z fx fy fz").add("run 0").run().frame("d")
+    return frame("x y z"), frame("fx fy fz")
+
+
+def check(report, dimension, options, viscous=False):
+    x, f = disturbed(dimension, options, viscous)
+    r = x - x.mean(axis=0)
+    torque = np.cross(r, f)
+    size = np.linalg.norm(f, axis=1)
+    lever = np.linalg.norm(r, axis=1)
+    what = f"{dimension} {options or 'default'}{', viscous' if viscous else ''}"
+    if viscous:
+        share = np.abs(f - disturbed(dimension, options, False)[1]).max() / size.max()
+        report.above(f"{what}: viscous forces/all", share, 0.01)
+    force = np.linalg.norm([fsum(f[:, k]) for k in range(3)]) / fsum(size)
+    moment = np.linalg.norm([fsum(torque[:, k]) for k in range(3)]) / fsum(size * lever)
+    report.below(f"{what}: sum of forces", force, 1e-14)
+    report.below(f"{what}: torque", moment, 1e-13)
+
+
+report = Report()
+for dimension in CLOUDS:
+    for options in OPTIONS:
+        if dimension == "2-D" or "plane" not in options:
+            check(report, dimension, options)
+    check(report, dimension, "", viscous=True)
+report.finish()

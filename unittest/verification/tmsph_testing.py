@@ -1,0 +1,292 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""What the verification tests share: clouds of particles, running lmp, reading
+its output, and reporting measured values against their bars."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+HORIZON = 3.015    # in particle spacings, as in the documentation
+
+# Cells of the lattices by name: edge lengths and basis, in spacings
+
+LATTICES = {
+    "square": ((1.0, 1.0), [(0.0, 0.0)]),
+    "hex": ((1.0, 3.0**0.5), [(0.0, 0.0), (0.5, 0.5)]),
+    "sc": ((1.0, 1.0, 1.0), [(0.0, 0.0, 0.0)]),
+    "fcc": ((2.0**0.5,) * 3, [(0, 0, 0), (0.5, 0.5, 0), (0.5, 0, 0.5), (0, 0.5, 0.5)]),
+}
+
+
+class Cloud:
+    """Particles in their reference positions; lengths in metres."""
+
+    def __init__(self, positions, volume, spacing, periodic="", box=None):
+        self.X = np.asarray(positions, float)
+        n, self.dimension = self.X.shape
+        self.spacing = spacing
+        self.type = np.ones(n, int)
+        self.volume = np.full(n, float(volume))
+        self.periodic = periodic    # the periodic directions, such as "xy"
+        self.box = box              # (low, high) of the periodic directions
+
+    def __len__(self):
+        return len(self.X)
+
+    def kept(self, inside):
+        """The particles for which inside(X) holds."""
+        chosen = inside(self.X)
+        part = Cloud(self.X[chosen], 1.0, self.spacing, self.periodic, self.box)
+        part.type, part.volume = self.type[chosen], self.volume[chosen]
+        return part
+
+    def jitter(self, amount, seed):
+        """Moves every particle by up to amount spacings in each direction."""
+        shift = np.random.default_rng(seed).uniform(-amount, amount, self.X.shape)
+        self.X = self.X + shift * self.spacing
+        return self
+
+    def data(self, temperature):
+        """A data file; masses follow from the densities."""
+        lines = ["TMSPH", "", f"{len(self)} atoms", f"{self.type.max()} atom types", ""]
+        for k, axis in enumerate("xyz"):
+            if axis in self.periodic:
+                low, high = self.box[0][k], self.box[1][k]
+            elif k < self.dimension:
+                low, high = self.X[:, k].min() - self.spacing, self.X[:, k].max() + self.spacing
+            else:
+                low, high = -0.5 * self.spacing, 0.5 * self.spacing
+            lines.append(f"{low:.17g} {high:.17g} {axis}lo {axis}hi")
+        lines += ["", "Atoms # tmsph", ""]
+        temperature = np.broadcast_to(temperature, len(self))
+        X = np.zeros((len(self), 3))
+        X[:, : self.dimension] = self.X
+        for i in range(len(self)):
+            lines.append(f"{i + 1} {self.type[i]} {self.volume[i]:.17g} 0 {temperature[i]:.17g} "
+                         f"{X[i, 0]:.17g} {X[i, 1]:.17g} {X[i, 2]:.17g}")
+        return "\n".join(lines) + "\n"
+
+
+def lattice(name, cells, spacing, periodic="", centre=False):
+    """A block of so many cells in each direction, its cells filling the box from 0."""
+    edges, basis = LATTICES[name]
+    edges = np.array(edges)
+    corner = np.indices(cells).reshape(len(cells), -1).T
+    points = (corner[:, None, :] + np.array(basis)[None]).reshape(-1, len(cells))
+    points = (points + 0.5 / (2 if len(basis) > 1 else 1)) * edges
+    size = np.array(cells) * edges
+    low = -0.5 * size if centre else np.zeros(len(cells))
+    return Cloud((points + low) * spacing, np.prod(edges) / len(basis) * spacing ** len(cells),
+                 spacing, periodic, (low * spacing, (low + size) * spacing))
+
+
+def material(young=40e9, poisson=0.3, density=2700.0, expansion=0.0):
+    return dict(young=young, poisson=poisson, density=density, expansion=expansion)
+
+
+class Script:
+    """An input script and the files that it names."""
+
+    def __init__(self, text="", files=None):
+        self.lines = [text]
+        self.files = dict(files or {})
+
+    def add(self, text):
+        self.lines.append(text)
+        return self
+
+    def dump(self, name, columns, every=1):
+        self.add(f"dump {name} all custom {every} {name}.dump id {columns}\n"
+                 f"dump_modify {name} sort id format float %.17g")
+        return self
+
+    def snapshot(self, name, columns):
+        """One dump now: forces and stresses are those of the last run."""
+        return self.add(f"write_dump all custom {name}.dump id {columns} "
+                        "modify sort id format float %.17g")
+
+    def run(self, ranks=1, may_fail=False, keep=""):
+        """keep: a pattern of files to hold on to, for a script that continues."""
+        return Run(self, ranks, may_fail, keep)
+
+
+class Scene(Script):
+    """A script that starts with the head that all tests of a cloud need."""
+
+    def __init__(self, cloud, materials, pair="", temperature=0.0):
+        d = cloud.dimension
+        boundary = " ".join("p" if axis in cloud.periodic or k >= d else "s"
+                            for k, axis in enumerate("xyz"))
+        self.cloud = cloud
+        self.files = {"cloud.data": cloud.data(temperature)}
+        self.lines = ["units si", f"dimension {d}", f"boundary {boundary}", "atom_style tmsph",
+                      "comm_modify cutoff " + f"{2 * HORIZON * cloud.spacing:.6g}",
+                      "read_data cloud.data",
+                      f"pair_style tmsph {HORIZON * cloud.spacing:.17g} {pair}"]
+        for k, m in enumerate(materials, 1):
+            self.lines.append(f"pair_coeff {k} {k} elastic {m['young']:.17g} {m['poisson']:.17g} "
+                              f"density {m['density']:.17g} expansion {m['expansion']:.17g}")
+        self.thermo("step pe press")
+
+    def thermo(self, columns, every=1000):
+        return self.add(f"thermo_style custom {columns}\n"
+                        f"thermo_modify norm no format float %.17g\nthermo {every}")
+
+    def set(self, attributes, values):
+        """Sets atom attributes, such as 'x y', to one column of values each."""
+        for name, column in zip(attributes.split(), np.atleast_2d(np.transpose(values))):
+            file = f"{name}.{len(self.files)}"
+            rows = "\n".join(f"{i + 1} {v:.17g}" for i, v in enumerate(column))
+            self.files[file] = f"\n{len(column)}\n{rows}\n"
+            variable = file.replace(".", "_")
+            self.add(f"variable {variable} atomfile {file}\nset group all {name} v_{variable}")
+        return self
+
+    def move(self, positions):
+        """Takes the particles to new positions: deformation, once the bonds have formed."""
+        return self.set("x y z"[: 2 * self.cloud.dimension - 1], positions)
+
+    def minimize(self, residual, iterations=20000):
+        """Conjugate gradients down to a root mean square force on a particle."""
+        norm = residual * len(self.cloud) ** 0.5
+        self.add(f"min_style cg\nmin_modify line forcezero dmax {0.01 * self.cloud.spacing:.6g}\n"
+                 f"minimize 0 {norm:.6g} {iterations} {10 * iterations}")
+        return self
+
+
+class Run:
+    """One run of lmp: its thermodynamic output, its dumps (*.dump of particles, *.local of
+    rows) and the files to keep. What it said is log; status is negative after a signal."""
+
+    def __init__(self, scene, ranks, may_fail, keep=""):
+        folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
+        try:
+            for name, text in scene.files.items():
+                (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
+            (folder / "in.test").write_text("\n".join(scene.lines) + "\n")
+            command = [os.environ["TMSPH_LMP"], "-in", "in.test", "-log", "none", "-nocite"]
+            environment = dict(os.environ, OMP_NUM_THREADS="1")
+            if ranks > 1:
+                launcher = os.environ.get("TMSPH_MPIRUN")
+                if not launcher:
+                    raise RuntimeError("TMSPH_MPIRUN is not set: this test needs MPI")
+                command = [launcher, "-np", str(ranks)] + command
+                environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                                   OMPI_MCA_rmaps_base_oversubscribe="1",
+                                   OMPI_MCA_hwloc_base_binding_policy="none",
+                                   OMPI_MCA_mpi_yield_when_idle="1")
+            done = subprocess.run(command, cwd=folder, env=environment, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.log, self.status = done.stdout, done.returncode
+            self.failed = done.returncode != 0
+            if self.failed and not may_fail:
+                raise RuntimeError("lmp stopped:\n" + self.log[-3000:])
+            self.tables = read_thermo(self.log)
+            self.dumps = {file.stem: read_dump(file) for file in folder.glob("*.dump")}
+            self.dumps.update((file.stem, read_dump(file)) for file in folder.glob("*.local"))
+            self.kept = {file.name: file.read_bytes() for file in folder.glob(keep)} if keep else {}
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
+
+    def thermo(self, name, run=-1):
+        """One column of the thermodynamic output of one run."""
+        return self.tables[run][name]
+
+    def frame(self, dump, which=-1):
+        return self.dumps[dump][which]
+
+
+def read_thermo(log):
+    """The tables of a log file, one dictionary of columns for each run. Rows cut
+    short by an error end a table."""
+    tables, rows, names = [], None, None
+    for line in log.splitlines():
+        words = line.split()
+        if words[:1] == ["Step"]:
+            names, rows = words, []
+            tables.append((names, rows))
+        elif rows is not None:
+            try:
+                values = [float(word) for word in words]
+            except ValueError:
+                values = []
+            if len(values) == len(names):
+                rows.append(values)
+            elif not line.startswith("WARNING"):
+                rows = None
+    return [dict(zip(names, np.array(rows, float).reshape(-1, len(names)).T))
+            for names, rows in tables]
+
+
+class Frame(dict):
+    """One snapshot: columns by name; several at once, as columns of an array, by
+    a text of names."""
+
+    def __call__(self, names):
+        return np.stack([self[name] for name in names.split()], axis=1)
+
+
+def read_dump(path):
+    """The snapshots of a text dump, of particles sorted by id or of rows as they stand."""
+    frames = []
+    with open(path) as file:
+        while line := file.readline():
+            if line.startswith("ITEM: TIMESTEP"):
+                step = int(file.readline())
+            elif line.startswith("ITEM: NUMBER OF"):
+                n = int(file.readline())
+            elif line.startswith(("ITEM: ATOMS", "ITEM: ENTRIES")):
+                names = line.split()[2:]
+                rows = np.array([file.readline().split() for _ in range(n)], float)
+                rows = rows.reshape(-1, len(names))
+                if "id" in names:
+                    rows = rows[rows[:, names.index("id")].argsort()]
+                frame = Frame(zip(names, rows.T))
+                frame.step = step
+                frames.append(frame)
+    return frames
+
+
+class Report:
+    """Collects measured values; finish() ends the test."""
+
+    def __init__(self):
+        self.failures = 0
+        self.start = time.monotonic()
+
+    def _line(self, name, value, bar, good):
+        print(f"{'ok  ' if good else 'FAIL'} {name}: {value} ({bar})", flush=True)
+        self.failures += not good
+
+    def below(self, name, value, bar):
+        """A NaN fails."""
+        self._line(name, f"{value:.4g}", f"below {bar:g}", bool(value < bar))
+
+    def above(self, name, value, bar):
+        self._line(name, f"{value:.4g}", f"above {bar:g}", bool(value > bar))
+
+    def within(self, name, value, low, high):
+        self._line(name, f"{value:.5g}", f"{low:g} to {high:g}", bool(low <= value <= high))
+
+    def true(self, name, value, what):
+        self._line(name, "yes" if value else "no", what, bool(value))
+
+    def note(self, name, value):
+        """A figure without a bar, for the record."""
+        print(f"     {name}: {value}", flush=True)
+
+    def finish(self):
+        print(f"     time: {time.monotonic() - self.start:.1f} s")
+        sys.exit(1 if self.failures else 0)
+
+
+def order(errors, refinement=2.0):
+    """Observed orders of convergence between successive refinements."""
+    errors = np.abs(errors)
+    return np.log(errors[:-1] / errors[1:]) / np.log(refinement)
