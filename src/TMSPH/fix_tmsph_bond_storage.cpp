@@ -11,7 +11,6 @@
 #include "domain.h"
 #include "error.h"
 #include "memory.h"
-#include "pair_tmsph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,7 @@ using namespace LAMMPS_NS;
 double FixTMSPHBond::memory_usage()
 {
   const double nmax = atom->nmax;
-  return nmax * (sizeof(int) + sizeof(tagint) + maxpartner * (sizeof(tagint) + 1.0)) +
+  return nmax * (sizeof(int) + 2 * sizeof(tagint) + maxpartner * (sizeof(tagint) + 1.0)) +
       (lag ? nmax * 6 * sizeof(double) : 0.0) + xref.capacity() * sizeof(double) + slices.bytes();
 }
 
@@ -34,6 +33,7 @@ void FixTMSPHBond::grow_arrays(int nmax)
 {
   memory->grow(npartner, nmax, "tmsph/bond:npartner");
   memory->grow(own_tag, nmax, "tmsph/bond:own_tag");
+  memory->grow(first_tag, nmax, "tmsph/bond:first_tag");
   memory->grow(partner, nmax, maxpartner, "tmsph/bond:partner");
   memory->grow(state, nmax, maxpartner, "tmsph/bond:state");
   if (lag) memory->grow(lag, nmax, 6, "tmsph/bond:lag");
@@ -46,7 +46,7 @@ void FixTMSPHBond::want_lag()
   if (lag) return;
   memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
   for (int i = 0; i < atom->nlocal; i++) std::fill(lag[i], lag[i] + 6, NAN);
-  maxexchange = 2 + 2 * maxpartner + 6;
+  maxexchange = 3 + 2 * maxpartner + 6;
 }
 
 /* ----------------------------------------------------------------------
@@ -56,7 +56,7 @@ void FixTMSPHBond::want_lag()
 void FixTMSPHBond::resize_partners(int length)
 {
   maxpartner = length;
-  maxexchange = 2 + 2 * maxpartner + (lag ? 6 : 0);
+  maxexchange = 3 + 2 * maxpartner + (lag ? 6 : 0);
   memory->destroy(partner);
   memory->destroy(state);
   memory->create(partner, atom->nmax, maxpartner, "tmsph/bond:partner");
@@ -69,6 +69,7 @@ void FixTMSPHBond::copy_arrays(int i, int j, int /*delflag*/)
 {
   npartner[j] = npartner[i];
   own_tag[j] = own_tag[i];
+  first_tag[j] = first_tag[i];
   std::copy(partner[i], partner[i] + npartner[i], partner[j]);
   std::copy(state[i], state[i] + npartner[i], state[j]);
   if (lag) std::copy(lag[i], lag[i] + 6, lag[j]);
@@ -79,18 +80,19 @@ void FixTMSPHBond::copy_arrays(int i, int j, int /*delflag*/)
 void FixTMSPHBond::set_arrays(int i)
 {
   npartner[i] = 0;
-  own_tag[i] = 0;
+  own_tag[i] = first_tag[i] = 0;
   if (lag) std::fill(lag[i], lag[i] + 6, NAN);
 }
 
 /* ----------------------------------------------------------------------
-   own id, number of bonds, then id and state of each, then the velocities
+   own ids, number of bonds, then id and state of each, then the velocities
 ------------------------------------------------------------------------- */
 
 int FixTMSPHBond::pack_exchange(int i, double *buf)
 {
   int m = 0;
   buf[m++] = ubuf(own_tag[i]).d;
+  buf[m++] = ubuf(first_tag[i]).d;
   buf[m++] = ubuf(npartner[i]).d;
   for (int k = 0; k < npartner[i]; k++) {
     buf[m++] = ubuf(partner[i][k]).d;
@@ -107,6 +109,7 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
 {
   int m = 0;
   own_tag[nlocal] = (tagint) ubuf(buf[m++]).i;
+  first_tag[nlocal] = (tagint) ubuf(buf[m++]).i;
   npartner[nlocal] = (int) ubuf(buf[m++]).i;
   for (int k = 0; k < npartner[nlocal]; k++) {
     partner[nlocal][k] = (tagint) ubuf(buf[m++]).i;
@@ -121,7 +124,7 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
 
 void FixTMSPHBond::store_lag(int i)
 {
-  const double *taken = pair->step_velocity(i);
+  const double *taken = user->step_velocity(i);
   if (!taken) return;    // no step since the setup: what is stored still holds
   for (int k = 0; k < 3; k++) {
     lag[i][k] = k < domain->dimension ? taken[k] : 0.0;
@@ -197,12 +200,12 @@ void FixTMSPHBond::unpack_restart(int nlocal, int nth)
 
 int FixTMSPHBond::size_restart(int i)
 {
-  return 3 + 2 * npartner[i] + (lag ? 6 : 0);
+  return 4 + 2 * npartner[i] + (lag ? 6 : 0);
 }
 
 /* ---------------------------------------------------------------------- */
 
 int FixTMSPHBond::maxsize_restart()
 {
-  return 3 + 2 * maxpartner + (lag ? 6 : 0);
+  return 4 + 2 * maxpartner + (lag ? 6 : 0);
 }

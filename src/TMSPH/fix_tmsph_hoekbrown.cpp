@@ -39,7 +39,7 @@ FixTMSPHHoekBrown::FixTMSPHHoekBrown(LAMMPS *lmp, int narg, char **arg) :
   size_local_cols = 13;
   local_freq = 1;
   restart_global = 1;
-  comm_forward = 1;
+  comm_forward = 2;
   parse(narg, arg);
 }
 
@@ -136,6 +136,9 @@ void FixTMSPHHoekBrown::init()
   if (all_principals && domain->dimension == 3) all_principals = false;    // 3-D has all anyway
   bonds = pair->bonds();
   pair->set_break_test(this);
+  std::vector<double> young(atom->ntypes + 1, 0.0);
+  for (int type = 1; type <= atom->ntypes; type++) young[type] = pair->material(type).young;
+  debris.set_young(young);
   armed = false;
   version = -1;
 
@@ -170,24 +173,23 @@ void FixTMSPHHoekBrown::end_of_step()
 }
 
 /* ----------------------------------------------------------------------
-   after an exchange of particles: strengths by id, candidates of contact
+   after an exchange of particles: strengths by first id, candidates of contact
 ------------------------------------------------------------------------- */
 
 void FixTMSPHHoekBrown::follow_layout()
 {
   if (version == bonds->layout_version()) return;
   version = bonds->layout_version();
-  const int nall = atom->nlocal + atom->nghost;
-  strengths.resize(nall);
-  for (int i = 0; i < nall; i++) {
+  strengths.resize(atom->nlocal + atom->nghost);
+  for (int i = 0; i < atom->nlocal; i++) {
     const Rock &rock = rocks[atom->type[i]];
     strengths[i] = rock.modulus > 0.0
-        ? TMSPH::weibull_random(rock.strength, rock.modulus, atom->tag[i], rock.seed)
+        ? TMSPH::weibull_random(rock.strength, rock.modulus, bonds->first_id(i), rock.seed)
         : rock.strength;
   }
   debris.measure(*bonds);
   comm->forward_comm(this);
-  debris.list_candidates(*list, neighbor->skin, *bonds, *pair);
+  debris.list_candidates(*list, neighbor->skin, *bonds);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -195,15 +197,21 @@ void FixTMSPHHoekBrown::follow_layout()
 int FixTMSPHHoekBrown::pack_forward_comm(int n, int *sendlist, double *buf, int /*pbc_flag*/,
                                          int * /*pbc*/)
 {
-  for (int i = 0; i < n; i++) buf[i] = debris.spacings()[sendlist[i]];
-  return n;
+  for (int i = 0; i < n; i++) {
+    *buf++ = debris.spacings()[sendlist[i]];
+    *buf++ = strengths[sendlist[i]];
+  }
+  return 2 * n;
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHHoekBrown::unpack_forward_comm(int n, int first, double *buf)
 {
-  std::copy(buf, buf + n, debris.spacings().begin() + first);
+  for (int i = first; i < first + n; i++) {
+    debris.spacings()[i] = *buf++;
+    strengths[i] = *buf++;
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -293,7 +301,7 @@ void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touc
 
       if (atom->tag[i] < atom->tag[j]) record(i, k, mean, e);
       bonds->remove_bond(i, k, FixTMSPHBond::BROKEN);
-      debris.add(i, j, *bonds, *pair);
+      debris.add(i, j, *bonds);
       lost = true;
     }
     if (lost) touched.push_back(i);
