@@ -10,6 +10,7 @@
 #include "error.h"
 #include "force.h"
 #include "memory.h"
+#include "my_page.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair.h"
@@ -160,12 +161,10 @@ void FixTMSPHBond::form()
   comm->forward_comm_array(3, atom->x0);    // ghosts came with those of before
   send_references();
 
+  // counted first and then stored: no more memory than the bonds take in the end
+
   neighbor->build_one(list);
-  std::vector<std::vector<tagint>> family(nlocal);
-  int longest = 1;
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    auto &mine = family[i];
+  const auto family = [&](int i, const auto &take) {
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       if (!user->bonded(atom->type[i], atom->type[j])) continue;
@@ -178,28 +177,46 @@ void FixTMSPHBond::form()
                    "Particles {} and {} stand on the same place: remove one, for instance with "
                    "delete_atoms overlap",
                    atom->tag[i], atom->tag[j]);
-      mine.push_back(atom->tag[j]);
+      take(atom->tag[j]);
     }
-    // in a short periodic box the list also has images beyond the nearest
-    std::sort(mine.begin(), mine.end());
-    mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-    longest = std::max(longest, (int) mine.size());
+  };
+  int longest = 1, longest_of_all;
+  for (int ii = 0; ii < list->inum; ii++) {
+    int count = 0;
+    family(list->ilist[ii], [&](tagint) { count++; });
+    longest = std::max(longest, count);
   }
-  list = nullptr;
-
-  int longest_of_all;
   MPI_Allreduce(&longest, &longest_of_all, 1, MPI_INT, MPI_MAX, world);
   resize_partners(longest_of_all);
-  for (int i = 0; i < nlocal; i++) {
-    npartner[i] = family[i].size();
-    std::copy(family[i].begin(), family[i].end(), partner[i]);
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    npartner[i] = 0;
+    family(i, [&](tagint id) { partner[i][npartner[i]++] = id; });
+    // in a short periodic box the list also has images beyond the nearest
+    std::sort(partner[i], partner[i] + npartner[i]);
+    npartner[i] = std::unique(partner[i], partner[i] + npartner[i]) - partner[i];
     std::fill(state[i], state[i] + npartner[i], (unsigned char) INTACT);
     own_tag[i] = first_tag[i] = atom->tag[i];
     atom->damage[i] = 0.0;
   }
+  release_list();
   bonds_formed = true;
   natoms_at_setup = atom->natoms;
   check_families();
+}
+
+/* ----------------------------------------------------------------------
+   the list is not used again: its pages go back, before more is allocated
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::release_list()
+{
+  if (!list->copy && list->ipage) {
+    list->inum = list->gnum = 0;
+    for (int t = 0; t < comm->nthreads; t++)
+      list->ipage[t].init(neighbor->oneatom, neighbor->pgsize);
+  }
+  list = nullptr;
 }
 
 /* ----------------------------------------------------------------------

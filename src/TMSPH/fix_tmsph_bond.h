@@ -137,6 +137,7 @@ class FixTMSPHBond : public Fix {
   std::vector<tagint> former_tag;    // of ghosts too, while ids are being followed
 
   void form();
+  void release_list();
   void refuse_strangers() const;
   void follow_ids();
   void send_references();
