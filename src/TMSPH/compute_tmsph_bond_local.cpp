@@ -38,8 +38,8 @@ ComputeTMSPHBondLocal::ComputeTMSPHBondLocal(LAMMPS *lmp, int narg, char **arg) 
       const auto state = states.find(arg[++iarg]);
       if (state == states.end())
         error->all(FLERR,
-                   "Unknown value '{}' of compute tmsph/bond/local only: use all, intact, broken or "
-                   "cut",
+                   "Unknown value '{}' of compute tmsph/bond/local only: use all, intact, broken "
+                   "or cut",
                    arg[iarg]);
       wanted = state->second;
       continue;

@@ -10,9 +10,10 @@
 #include "error.h"
 #include "force.h"
 #include "memory.h"
+#include "my_page.h"
 #include "neigh_list.h"
 #include "neighbor.h"
-#include "pair_tmsph.h"
+#include "pair.h"
 #include "update.h"
 
 #include <algorithm>
@@ -27,10 +28,10 @@ using TMSPH::WIDTH;
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), pair(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
+    Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), first_tag(nullptr),
-    lag(nullptr), horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0),
-    bonds_at_estimate(-1), stable_timestep(0.0), reported(false), version(0), what_to_send(REFERENCE)
+    lag(nullptr), horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0), version(0),
+    what_to_send(REFERENCE)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
     error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
@@ -72,19 +73,19 @@ int FixTMSPHBond::setmask()
 
 void FixTMSPHBond::init()
 {
-  pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
-  if (!pair) error->all(FLERR, "The bonds of pair style tmsph are left without their pair style");
+  user = dynamic_cast<TMSPHBondUser *>(force->pair_match("^tmsph", 0));
+  if (!user) error->all(FLERR, "The bonds of pair style tmsph are left without their pair style");
 
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "Pair style tmsph cannot run with run_style {}: use run_style verlet",
                update->integrate_style);
-  if (bonds_formed && horizon != pair->horizon())
+  if (bonds_formed && horizon != user->horizon())
     error->all(FLERR,
                "Horizon {} of pair_style tmsph differs from {}, with which the bonds have formed: "
                "keep it, or 'clear' and start anew",
-               pair->horizon(), horizon);
+               user->horizon(), horizon);
 
-  if (pair->viscous()) want_lag();
+  if (user->viscous()) want_lag();
 
   // a neighbor list serves once, to form the families
 
@@ -111,8 +112,16 @@ void FixTMSPHBond::setup_post_neighbor()
     follow_ids();
   }
   send_references();
-  lay_out(true);
+  lay_out();
+  if (fresh) kappa = largest_kappa();
   natoms_at_setup = atom->natoms;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::setup(int /*vflag*/)
+{
+  user->run_begins();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -121,7 +130,7 @@ void FixTMSPHBond::post_neighbor()
 {
   refuse_strangers();
   send_references();
-  lay_out(false);
+  lay_out();
 }
 
 /* ----------------------------------------------------------------------
@@ -132,9 +141,9 @@ void FixTMSPHBond::post_neighbor()
 void FixTMSPHBond::form()
 {
   const int nlocal = atom->nlocal;
-  pair->complete_particles();
+  user->complete_particles();
   const int *periodicity = domain->periodicity;
-  horizon = pair->horizon();
+  horizon = user->horizon();
   if (comm->get_comm_cutoff() < horizon)
     error->all(FLERR,
                "The ghost cutoff {} is shorter than the horizon {} of pair style tmsph: raise it "
@@ -149,17 +158,16 @@ void FixTMSPHBond::form()
                  period[k], "xyz"[k], horizon);
   }
   for (int i = 0; i < nlocal; i++) domain->unmap(atom->x[i], atom->image[i], atom->x0[i]);
+  comm->forward_comm_array(3, atom->x0);    // ghosts came with those of before
   send_references();
 
+  // counted first and then stored: no more memory than the bonds take in the end
+
   neighbor->build_one(list);
-  std::vector<std::vector<tagint>> family(nlocal);
-  int longest = 1;
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    auto &mine = family[i];
+  const auto family = [&](int i, const auto &take) {
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      if (!pair->bonded(atom->type[i], atom->type[j])) continue;
+      if (!user->bonded(atom->type[i], atom->type[j])) continue;
       double X[3];
       reference_vector(i, j, X);
       const double R2 = X[0] * X[0] + X[1] * X[1] + X[2] * X[2];
@@ -169,28 +177,46 @@ void FixTMSPHBond::form()
                    "Particles {} and {} stand on the same place: remove one, for instance with "
                    "delete_atoms overlap",
                    atom->tag[i], atom->tag[j]);
-      mine.push_back(atom->tag[j]);
+      take(atom->tag[j]);
     }
-    // in a short periodic box the list also has images beyond the nearest
-    std::sort(mine.begin(), mine.end());
-    mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-    longest = std::max(longest, (int) mine.size());
+  };
+  int longest = 1, longest_of_all;
+  for (int ii = 0; ii < list->inum; ii++) {
+    int count = 0;
+    family(list->ilist[ii], [&](tagint) { count++; });
+    longest = std::max(longest, count);
   }
-  list = nullptr;
-
-  int longest_of_all;
   MPI_Allreduce(&longest, &longest_of_all, 1, MPI_INT, MPI_MAX, world);
   resize_partners(longest_of_all);
-  for (int i = 0; i < nlocal; i++) {
-    npartner[i] = family[i].size();
-    std::copy(family[i].begin(), family[i].end(), partner[i]);
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    npartner[i] = 0;
+    family(i, [&](tagint id) { partner[i][npartner[i]++] = id; });
+    // in a short periodic box the list also has images beyond the nearest
+    std::sort(partner[i], partner[i] + npartner[i]);
+    npartner[i] = std::unique(partner[i], partner[i] + npartner[i]) - partner[i];
     std::fill(state[i], state[i] + npartner[i], (unsigned char) INTACT);
     own_tag[i] = first_tag[i] = atom->tag[i];
     atom->damage[i] = 0.0;
   }
+  release_list();
   bonds_formed = true;
   natoms_at_setup = atom->natoms;
   check_families();
+}
+
+/* ----------------------------------------------------------------------
+   the list is not used again: its pages go back, before more is allocated
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::release_list()
+{
+  if (!list->copy && list->ipage) {
+    list->inum = list->gnum = 0;
+    for (int t = 0; t < comm->nthreads; t++)
+      list->ipage[t].init(neighbor->oneatom, neighbor->pgsize);
+  }
+  list = nullptr;
 }
 
 /* ----------------------------------------------------------------------
@@ -204,9 +230,9 @@ void FixTMSPHBond::check_families() const
   MPI_Allreduce(&few, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all > atom->natoms / 2)
     error->all(FLERR,
-               "{} of {} particles have fewer than {} neighbors within the horizon {}: it should be "
-               "about 3 particle spacings",
-               all, atom->natoms, domain->dimension, pair->horizon());
+               "{} of {} particles have fewer than {} neighbors within the horizon {}: it should "
+               "be about 3 particle spacings",
+               all, atom->natoms, domain->dimension, user->horizon());
   if (all && comm->me == 0)
     error->warning(FLERR, "{} particles have fewer than {} neighbors and carry no stress", all,
                    domain->dimension);
@@ -230,16 +256,18 @@ void FixTMSPHBond::refuse_strangers() const
 
 /* ----------------------------------------------------------------------
    reset_atoms id and delete_atoms with compression give particles new ids:
-   follow them, as long as the partners are still within reach
+   follow them, as long as the partners are still within reach. The bonds of
+   deleted particles are forgotten.
 ------------------------------------------------------------------------- */
 
 void FixTMSPHBond::follow_ids()
 {
   const int nlocal = atom->nlocal;
-  int changed = 0, all;
-  for (int i = 0; i < nlocal; i++) changed += own_tag[i] != atom->tag[i];
-  MPI_Allreduce(&changed, &all, 1, MPI_INT, MPI_SUM, world);
-  if (!all) return;
+  int other = 0, all;
+  for (int i = 0; i < nlocal; i++) other += own_tag[i] != atom->tag[i];
+  MPI_Allreduce(&other, &all, 1, MPI_INT, MPI_SUM, world);
+  const bool renamed = all > 0, deleted = atom->natoms < natoms_at_setup;
+  if (!renamed && !deleted) return;
 
   former_tag.assign(own_tag, own_tag + nlocal);
   former_tag.resize(nlocal + atom->nghost);
@@ -252,7 +280,10 @@ void FixTMSPHBond::follow_ids()
     std::vector<std::pair<tagint, unsigned char>> kept;
     for (int k = 0; k < npartner[i]; k++) {
       const auto found = present.find(partner[i][k]);
-      if (found != present.end()) kept.emplace_back(found->second, state[i][k]);
+      if (found != present.end())
+        kept.emplace_back(found->second, state[i][k]);
+      else if (!renamed && state[i][k] != INTACT)
+        kept.emplace_back(partner[i][k], state[i][k]);    // not deleted, perhaps: out of reach
     }
     std::sort(kept.begin(), kept.end());
     npartner[i] = kept.size();
@@ -331,7 +362,7 @@ void FixTMSPHBond::reference_vector(int i, int j, double *X) const
 int FixTMSPHBond::find_partner(int i, tagint id) const
 {
   const double *mine = reference(i);
-  const double reach = 1.01 * pair->horizon();
+  const double reach = 1.01 * user->horizon();
   for (int j = atom->map(id); j >= 0; j = atom->sametag[j]) {
     const double *his = reference(j);
     double R2 = 0.0;
@@ -341,16 +372,48 @@ int FixTMSPHBond::find_partner(int i, tagint id) const
   return -1;
 }
 
+/* ---------------------------------------------------------------------- */
+
+float FixTMSPHBond::weight(int i, int j) const
+{
+  double X[3];
+  reference_vector(i, j, X);
+  const int dimension = domain->dimension;
+  const double R = std::sqrt(X[0] * X[0] + X[1] * X[1] + (dimension == 3 ? X[2] * X[2] : 0.0));
+  return (float) (atom->vfrac[i] * atom->vfrac[j] *
+                  TMSPH::kernel_slope(user->kernel_of_bonds(), dimension, R, horizon));
+}
+
+/* ----------------------------------------------------------------------
+   tr K/D where a particle has all its neighbors
+------------------------------------------------------------------------- */
+
+double FixTMSPHBond::largest_kappa() const
+{
+  const int dimension = domain->dimension;
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++) {
+    double trace = 0.0, X[3];
+    for (int k = 0; k < npartner[i]; k++) {
+      const int j = partner_index(i, k);
+      reference_vector(i, j, X);
+      for (int c = 0; c < dimension; c++) trace += weight(i, j) * X[c] * X[c];
+    }
+    mine = std::max(mine, trace / (dimension * atom->vfrac[i]));
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
+}
+
 /* ----------------------------------------------------------------------
    slices of eight consecutive local particles, bonds in the order of ids;
    a bond that is gone keeps its place with weight 0
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::lay_out(bool at_setup)
+void FixTMSPHBond::lay_out()
 {
   const int nlocal = atom->nlocal;
   const int nslice = (nlocal + WIDTH - 1) / WIDTH;
-  const bool deleted = at_setup && atom->natoms < natoms_at_setup;
 
   slices.particle.resize((size_t) nslice * WIDTH);
   slices.valid.resize(nslice);
@@ -381,17 +444,13 @@ void FixTMSPHBond::lay_out(bool at_setup)
         slices.weight[at] = 0.0f;
         if (!pad && k < npartner[i]) {
           j = find_partner(i, partner[i][k]);
-          if (j < 0 && state[i][k] == INTACT) {
-            if (deleted)
-              state[i][k] = CUT;
-            else
-              error->one(FLERR,
-                         "Particle {} lost its bonded partner {} on step {}: it moved farther than "
-                         "the ghost cutoff {}; raise it with comm_modify cutoff or let the bond "
-                         "break",
-                         atom->tag[i], partner[i][k], update->ntimestep, comm->get_comm_cutoff());
-          }
-          if (j >= 0 && state[i][k] == INTACT) slices.weight[at] = pair->bond_weight(i, j);
+          if (j < 0 && state[i][k] == INTACT)
+            error->one(FLERR,
+                       "Particle {} lost its bonded partner {} on step {}: it moved farther than "
+                       "the ghost cutoff {}; raise it with comm_modify cutoff or let the bond "
+                       "break",
+                       atom->tag[i], partner[i][k], update->ntimestep, comm->get_comm_cutoff());
+          if (j >= 0 && state[i][k] == INTACT) slices.weight[at] = weight(i, j);
         }
         slices.partner[at] = j < 0 ? i : j;
       }
@@ -435,4 +494,17 @@ bigint FixTMSPHBond::count_bonds(State which) const
     for (int k = 0; k < npartner[i]; k++) mine += state[i][k] == which;
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   return all / 2;
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::pair<int, int> FixTMSPHBond::family_sizes() const
+{
+  int mine[2] = {-MAXSMALLINT, 0}, all[2];    // minus the smallest, the largest
+  for (int i = 0; i < atom->nlocal; i++) {
+    mine[0] = std::max(mine[0], -npartner[i]);
+    mine[1] = std::max(mine[1], npartner[i]);
+  }
+  MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
+  return {-all[0], all[1]};
 }

@@ -17,13 +17,33 @@ FixStyle(tmsph/bond,FixTMSPHBond);
 #define LMP_FIX_TMSPH_BOND_H
 
 #include "fix.h"
+#include "tmsph_kernel.h"
 #include "tmsph_sweep.h"
+
+#include <utility>
 
 namespace LAMMPS_NS {
 
-class FixTMSPHBond : public Fix {
-  friend class PairTMSPH;
+/** What the bonds ask of the style that uses them: the pair style. */
+struct TMSPHBondUser {
+  /// support of the kernel of the bonds, and who may be bonded
+  virtual TMSPH::Kernel kernel_of_bonds() const = 0;
+  virtual double horizon() const = 0;
+  virtual bool bonded(int itype, int jtype) const = 0;
+  /// gives local and ghost particles their masses and temperatures before the bonds form
+  virtual void complete_particles() = 0;
+  /// true if forces depend on velocities
+  virtual bool viscous() const = 0;
+  /// velocity that the last step's viscosity took for local particle i; nullptr in a setup
+  virtual const double *step_velocity(int i) const = 0;
+  /// the forces of a setup are there: check and tell
+  virtual void run_begins() = 0;
 
+ protected:
+  ~TMSPHBondUser() = default;    // never owned through this interface
+};
+
+class FixTMSPHBond : public Fix {
  public:
   static constexpr const char *ID = "TMSPH_BOND";
   enum State : unsigned char { INTACT = 0, BROKEN = 1, CUT = 2 };
@@ -81,11 +101,18 @@ class FixTMSPHBond : public Fix {
   void update_damage(int i);
   /// number of bonds (each counted once) in a state, on all processors
   bigint count_bonds(State which) const;
+  /// fewest and most bonds of a particle, on all processors
+  std::pair<int, int> family_sizes() const;
   int layout_version() const { return version; }
   const TMSPH::Slices &layout() const { return slices; }
+  TMSPH::Slices &layout() { return slices; }
+  /// W_ij = V_i V_j w_ij
+  float weight(int i, int j) const;
+  /// tr K/D of the interior when the bonds formed
+  double interior_kappa() const { return kappa; }
 
  private:
-  class PairTMSPH *pair;
+  TMSPHBondUser *user;
   class NeighList *list;
   bool bonds_formed;
   int maxpartner;               // row length of partner and state
@@ -94,17 +121,14 @@ class FixTMSPHBond : public Fix {
   unsigned char **state;
   tagint *own_tag;              // id of the particle at the last setup; 0: it has no bonds yet
   tagint *first_tag;            // id when its bonds formed: it draws the random numbers
-  // Velocity Verlet evaluates forces at half-step velocities, but a setup has only those of the full
-  // step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2], and
-  // the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
+  // Velocity Verlet evaluates forces at half-step velocities, but a setup has only those of the
+  // full step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2],
+  // and the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
   double **lag;                 // allocated with viscosity only
   double horizon;               // with which the bonds formed
-  double kappa;                 // tr K/D of the interior when the bonds formed
+  double kappa;
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
-  bigint bonds_at_estimate;     // intact bonds when the time step was estimated last
-  double stable_timestep;
-  bool reported;
   int version;
 
   std::vector<double> xref;     // [nlocal+nghost][3]
@@ -113,14 +137,14 @@ class FixTMSPHBond : public Fix {
   std::vector<tagint> former_tag;    // of ghosts too, while ids are being followed
 
   void form();
+  void release_list();
   void refuse_strangers() const;
   void follow_ids();
   void send_references();
-  void lay_out(bool at_setup);
+  void lay_out();
   int find_partner(int, tagint) const;
   void check_families() const;
-  void check_timestep();
-  void report();
+  double largest_kappa() const;
   void resize_partners(int);
   void want_lag();
   void store_lag(int i);

@@ -11,7 +11,6 @@
 #include "domain.h"
 #include "error.h"
 #include "memory.h"
-#include "pair_tmsph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +124,7 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
 
 void FixTMSPHBond::store_lag(int i)
 {
-  const double *taken = pair->step_velocity(i);
+  const double *taken = user->step_velocity(i);
   if (!taken) return;    // no step since the setup: what is stored still holds
   for (int k = 0; k < 3; k++) {
     lag[i][k] = k < domain->dimension ? taken[k] : 0.0;

@@ -78,7 +78,8 @@ void FixTMSPHHeatBoundary::pre_force(int /*vflag*/)
     modify->addstep_compute(update->ntimestep + 1);
   }
   if (!std::isfinite(value))
-    error->all(FLERR, "Temperature of fix tmsph/heat/boundary {} is {} on step {}: check variable {}",
+    error->all(FLERR,
+               "Temperature of fix tmsph/heat/boundary {} is {} on step {}: check variable {}",
                id, value, update->ntimestep, variable);
   for (int i = 0; i < atom->nlocal + atom->nghost; i++)
     if (atom->mask[i] & groupbit) atom->temperature[i] = value;

@@ -136,6 +136,9 @@ void FixTMSPHHoekBrown::init()
   if (all_principals && domain->dimension == 3) all_principals = false;    // 3-D has all anyway
   bonds = pair->bonds();
   pair->set_break_test(this);
+  std::vector<double> young(atom->ntypes + 1, 0.0);
+  for (int type = 1; type <= atom->ntypes; type++) young[type] = pair->material(type).young;
+  debris.set_young(young);
   armed = false;
   version = -1;
 
@@ -186,7 +189,7 @@ void FixTMSPHHoekBrown::follow_layout()
   }
   debris.measure(*bonds);
   comm->forward_comm(this);
-  debris.list_candidates(*list, neighbor->skin, *bonds, *pair);
+  debris.list_candidates(*list, neighbor->skin, *bonds);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -298,7 +301,7 @@ void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touc
 
       if (atom->tag[i] < atom->tag[j]) record(i, k, mean, e);
       bonds->remove_bond(i, k, FixTMSPHBond::BROKEN);
-      debris.add(i, j, *bonds, *pair);
+      debris.add(i, j, *bonds);
       lost = true;
     }
     if (lost) touched.push_back(i);

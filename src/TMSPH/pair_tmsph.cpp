@@ -113,30 +113,8 @@ template <int D> void PairTMSPH::prepare()
   for (int q = 0; q < all.count(); q++)
     for (int l = 0; l < WIDTH; l++) update_shape<D>(all, q, l);
   build_own_side<D>();
-  if (bond_fix->kappa == 0.0) bond_fix->kappa = largest_kappa<D>();
-  viscosity.kappa = bond_fix->kappa;
+  viscosity.kappa = bond_fix->interior_kappa();
   prepared_version = bond_fix->layout_version();
-}
-
-/* ----------------------------------------------------------------------
-   tr K/D where a particle has all its neighbors
-------------------------------------------------------------------------- */
-
-template <int D> double PairTMSPH::largest_kappa()
-{
-  double mine = 0.0, all;
-  for (int i = 0; i < atom->nlocal; i++) {
-    double trace = 0.0;
-    for (int k = 0; k < bond_fix->count(i); k++) {
-      double X[3];
-      const int j = bond_fix->partner_index(i, k);
-      bond_fix->reference_vector(i, j, X);
-      for (int c = 0; c < D; c++) trace += bond_weight(i, j) * X[c] * X[c];
-    }
-    mine = std::max(mine, trace / (D * atom->vfrac[i]));
-  }
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return all;
 }
 
 /* ----------------------------------------------------------------------
@@ -389,7 +367,7 @@ double PairTMSPH::bond_energy(int i, int k, const double *stress) const
         (atom->x[i][a] - bond_fix->reference(i)[a]) - theta * X[a];
     for (int b = 0; b < D; b++) work += u * stress[row[a][b]] * X[b];
   }
-  return bond_weight(i, j) * work / bond_fix->kappa;
+  return bond_fix->weight(i, j) * work / bond_fix->interior_kappa();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -449,25 +427,15 @@ void PairTMSPH::unpack_forward_comm(int n, int first, double *buf)
 {
   const auto [rows, stride] = rows_to_send();
   for (int i = 0; i < n; i++)
-    std::copy_n(buf + (size_t) comm_forward * i, comm_forward, rows + (size_t) stride * (first + i));
+    std::copy_n(buf + (size_t) comm_forward * i, comm_forward,
+                rows + (size_t) stride * (first + i));
 }
 
 /* ---------------------------------------------------------------------- */
 
 Slices &PairTMSPH::slices()
 {
-  return bond_fix->slices;
-}
-
-/* ---------------------------------------------------------------------- */
-
-float PairTMSPH::bond_weight(int i, int j) const
-{
-  double X[3];
-  bond_fix->reference_vector(i, j, X);
-  const int dimension = domain->dimension;
-  const double R = std::sqrt(X[0] * X[0] + X[1] * X[1] + (dimension == 3 ? X[2] * X[2] : 0.0));
-  return (float) (atom->vfrac[i] * atom->vfrac[j] * kernel_slope(kernel, dimension, R, cutoff));
+  return bond_fix->layout();
 }
 
 /* ---------------------------------------------------------------------- */

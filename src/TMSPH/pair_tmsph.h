@@ -14,19 +14,16 @@ PairStyle(tmsph,PairTMSPH);
 #ifndef LMP_PAIR_TMSPH_H
 #define LMP_PAIR_TMSPH_H
 
+#include "fix_tmsph_bond.h"
 #include "pair.h"
 #include "tmsph_elastic.h"
-#include "tmsph_kernel.h"
-#include "tmsph_sweep.h"
 
 #include <string>
 #include <utility>
 
 namespace LAMMPS_NS {
 
-class FixTMSPHBond;
-
-class PairTMSPH : public Pair {
+class PairTMSPH : public Pair, public TMSPHBondUser {
  public:
   /** What a fix that breaks bonds offers: asked between the two sweeps of a step. */
   struct BreakTest {
@@ -66,23 +63,19 @@ class PairTMSPH : public Pair {
   void unpack_forward_comm(int, int, double *) override;
   double memory_usage() override;
 
-  double horizon() const { return cutoff; }
-  bool bonded(int itype, int jtype) const { return are_bonded[itype][jtype]; }
+  TMSPH::Kernel kernel_of_bonds() const override { return kernel; }
+  double horizon() const override { return cutoff; }
+  bool bonded(int itype, int jtype) const override { return are_bonded[itype][jtype]; }
+  void complete_particles() override;
+  bool viscous() const override { return on.viscosity; }
+  const double *step_velocity(int i) const override;
+  void run_begins() override;
+
   const Material &material(int type) const { return materials[type]; }
   /// number of stress components per particle in fields(): xx yy xy, or xx yy zz xy xz yz
   int stress_size() const;
-  /// V_i V_j w_ij of a bond, from the reference positions
-  float bond_weight(int i, int j) const;
-  /// masses, temperatures and checks of volumes, before the bonds form
-  void complete_particles();
   void set_break_test(BreakTest *test) { break_test = test; }
-  bool viscous() const { return on.viscosity; }
-  /// velocity that the last step's viscosity took for local particle i; nullptr in a setup
-  const double *step_velocity(int i) const;
-  bool breaks() const { return break_test != nullptr; }
   FixTMSPHBond *bonds() const { return bond_fix; }
-  /// what this scene uses, in words
-  std::string features() const;
 
   /** Own-side Cauchy stress and displacement gradient of the local particles in their present
       positions. Both are owned by the pair style and valid until its next call. */
@@ -97,8 +90,6 @@ class PairTMSPH : public Pair {
   double stress_zz(int i, double sxx, double syy) const;
   /// largest stable time step of the present state, by power iteration (collective)
   double stable_timestep();
-  /// doubles sent per ghost and step by the pair style itself
-  int doubles_per_ghost() const;
 
  private:
   double cutoff;
@@ -112,6 +103,14 @@ class PairTMSPH : public Pair {
   std::vector<std::vector<char>> are_bonded;      // by type and type
   FixTMSPHBond *bond_fix;
   BreakTest *break_test;
+
+  int coefficients;                               // grows with pair_style and pair_coeff
+
+  // of the stable time step: what it was estimated for last, and its value
+  int coefficients_at_estimate;
+  bigint bonds_at_estimate;
+  double stable_dt;
+  bool reported;
 
   bool stepped;                                   // the rows hold the velocities of a step
   int prepared_version;                           // layout that the arrays below belong to
@@ -128,7 +127,6 @@ class PairTMSPH : public Pair {
   template <int D> void build_own_side();
   template <int D> void fill_own_side(int i);
   template <int D> void update_shape(TMSPH::Slices &, int q, int l);
-  template <int D> double largest_kappa();
   template <int D> void update_kinematics();
   template <int D> void update_velocities();
   template <int D> void evaluate();
@@ -137,6 +135,10 @@ class PairTMSPH : public Pair {
   void stop_inverted(int);
   void stop_thermal();
   template <int D> double stable_timestep_in();
+  void check_timestep();
+  void report();
+  std::string features() const;     // what this scene uses, in words
+  int doubles_per_ghost() const;    // sent by force evaluations
   void send(decltype(FORCE_ROWS));
   std::pair<double *, int> rows_to_send();
 };

@@ -14,6 +14,7 @@
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
+#include "neighbor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,8 @@ static constexpr double MAX_POISSON = 0.45;
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr),
-    stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
+    coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0), stable_dt(0.0),
+    reported(false), stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;
@@ -89,6 +91,7 @@ void PairTMSPH::settings(int narg, char **arg)
 {
   if (narg < 1) utils::missing_cmd_args(FLERR, "pair_style tmsph", error);
   cutoff = utils::numeric(FLERR, arg[0], false, lmp);
+  coefficients++;
   if (cutoff <= 0.0)
     error->all(FLERR, "Horizon {} of pair_style tmsph must be positive: about 3 particle spacings",
                arg[0]);
@@ -117,7 +120,8 @@ void PairTMSPH::settings(int narg, char **arg)
                                {"quintic", Kernel::QUINTIC}});
     else if (word == "plane")
       plane =
-          one_of<Plane>(error, "plane", value, {{"strain", Plane::STRAIN}, {"stress", Plane::STRESS}});
+          one_of<Plane>(error, "plane", value,
+                        {{"strain", Plane::STRAIN}, {"stress", Plane::STRESS}});
     else if (word == "law")
       on.law = one_of<Law>(error, "law", value, {{"svk", Law::SVK}, {"almansi", Law::ALMANSI}});
     else if (word == "thermal")
@@ -127,7 +131,8 @@ void PairTMSPH::settings(int narg, char **arg)
     else if (word == "hourglass") {
       hourglass = utils::numeric(FLERR, value, false, lmp);
       if (hourglass < 0.0)
-        error->all(FLERR, "Pair_style tmsph hourglass {} must not be negative: 0.1 is usual", value);
+        error->all(FLERR, "Pair_style tmsph hourglass {} must not be negative: 0.1 is usual",
+                   value);
     } else {
       viscosity.alpha1 = utils::numeric(FLERR, value, false, lmp);
       viscosity.alpha2 = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
@@ -148,6 +153,7 @@ void PairTMSPH::coeff(int narg, char **arg)
 {
   if (narg < 3) utils::missing_cmd_args(FLERR, "pair_coeff for pair style tmsph", error);
   if (!allocated) allocate();
+  coefficients++;
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
@@ -232,6 +238,12 @@ void PairTMSPH::init_style()
     error->all(FLERR, "Pair style tmsph needs an orthogonal box: the box is triclinic");
   if (domain->dimension == 3 && plane == Plane::STRESS)
     error->all(FLERR, "Pair_style tmsph plane stress needs dimension 2: remove it in 3-D");
+
+  if (neighbor->skin > cutoff && comm->me == 0)
+    error->warning(FLERR,
+                   "The neighbor skin {} is longer than the horizon {}: lists and ghosts are "
+                   "needlessly many; set for instance 'neighbor {:.2g} bin'",
+                   neighbor->skin, cutoff, 0.3 * cutoff);
 
   bool expands = false;
   for (int i = 1; i <= atom->ntypes; i++) {

@@ -31,8 +31,8 @@ void PairTMSPH::stop_inverted(int i)
     if (!finite(bond_fix->partner_index(i, k))) culprit = bond_fix->partner_index(i, k);
   if (culprit >= 0)
     error->one(FLERR,
-               "The position of particle {} is not a number on step {}: check its velocity and what "
-               "acts on it",
+               "The position of particle {} is not a number on step {}: check its velocity and "
+               "what acts on it",
                atom->tag[culprit], update->ntimestep);
   const double *x = atom->x[i];
   error->one(FLERR,

@@ -45,6 +45,7 @@ template <int D> double PairTMSPH::stable_timestep_in()
   if (prepared_version != bond_fix->layout_version()) prepare<D>();
 
   std::vector<double> trial(3 * (size_t) nlocal), at_rest(trial.size()), pushed(trial.size());
+  const std::vector<double> rows_of_step = force_row;    // the velocities in them may be wanted yet
   const double step = 1.0e-6 * cutoff;
   const Material &first = materials[1];
   double dt = cutoff / std::sqrt(first.elastic.wave_modulus / first.density);    // to begin with
@@ -99,7 +100,6 @@ template <int D> double PairTMSPH::stable_timestep_in()
     dt /= std::sqrt(eigenvalue);
     if (!(std::fabs(eigenvalue - 1.0) > TOLERANCE)) break;
   }
-  prepared_version = -1;    // the rows hold trial values: fill them anew
-  stepped = false;
+  force_row = rows_of_step;
   return dt / std::sqrt(SAFETY);
 }

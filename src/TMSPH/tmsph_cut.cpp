@@ -28,9 +28,11 @@ using TMSPH::Point3;
 void TMSPHCut::command(int narg, char **arg)
 {
   if (narg < 2) utils::missing_cmd_args(FLERR, "tmsph/cut", error);
-  if (!domain->box_exist) error->all(FLERR, "Command tmsph/cut before the simulation box is defined");
+  if (!domain->box_exist)
+    error->all(FLERR, "Command tmsph/cut before the simulation box is defined");
   const int igroup = group->find(arg[0]);
-  if (igroup < 0) error->all(FLERR, "Group {} of tmsph/cut does not exist: define it first", arg[0]);
+  if (igroup < 0)
+    error->all(FLERR, "Group {} of tmsph/cut does not exist: define it first", arg[0]);
   const int groupbit = group->bitmask[igroup];
   const Flaw crosses = read_flaw(narg - 1, arg + 1);
 
@@ -145,8 +147,8 @@ TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
     if (radius <= 0.0) error->all(FLERR, "Radius {} of the tmsph/cut arc must be positive", arg[3]);
     if (sweep <= 0.0 || v[4] - v[3] > 360.0)
       error->all(FLERR,
-                 "The arc of tmsph/cut runs counterclockwise from {} to {} degrees: the second must "
-                 "be larger, by 360 at most",
+                 "The arc of tmsph/cut runs counterclockwise from {} to {} degrees: the second "
+                 "must be larger, by 360 at most",
                  arg[4], arg[5]);
     return [=](const double *a, const double *b) {
       return TMSPH::crosses_arc(Point2(a), Point2(b), center, radius, start, sweep);

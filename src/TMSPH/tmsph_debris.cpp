@@ -7,7 +7,6 @@
 #include "atom.h"
 #include "fix_tmsph_bond.h"
 #include "neigh_list.h"
-#include "pair_tmsph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,16 +39,13 @@ void TMSPHDebris::measure(const FixTMSPHBond &bonds)
 
 /* ---------------------------------------------------------------------- */
 
-bool TMSPHDebris::make(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH &pair,
-                       Candidate &c) const
+bool TMSPHDebris::make(int i, int j, const FixTMSPHBond &bonds, Candidate &c) const
 {
   double X[3];
   bonds.reference_vector(i, j, X);
   const double d = 0.5 * (spacing[i] + spacing[j]);
   if (d == 0.0) return false;
-  const auto cell = [&](int p) {
-    return pair.material(atom->type[p]).young * atom->vfrac[p] / (d * d);
-  };
+  const auto cell = [&](int p) { return young[atom->type[p]] * atom->vfrac[p] / (d * d); };
   c = {i, j, std::min(d, length(X)), 2.0 * cell(i) * cell(j) / (cell(i) + cell(j))};
   return true;
 }
@@ -70,7 +66,7 @@ bool TMSPHDebris::may_touch(int i, int j) const
 /* ---------------------------------------------------------------------- */
 
 void TMSPHDebris::list_candidates(const NeighList &list, double neighbor_skin,
-                                  const FixTMSPHBond &bonds, const PairTMSPH &pair)
+                                  const FixTMSPHBond &bonds)
 {
   skin = neighbor_skin;
   candidates.clear();
@@ -81,7 +77,7 @@ void TMSPHDebris::list_candidates(const NeighList &list, double neighbor_skin,
     for (int jj = 0; jj < list.numneigh[i]; jj++) {
       const int j = list.firstneigh[i][jj] & NEIGHMASK;
       if (may_touch(i, j) && !bonds.joined(i, atom->tag[j]) &&
-          make(i, j, bonds, pair, c))
+          make(i, j, bonds, c))
         candidates.push_back(c);
     }
   }
@@ -89,10 +85,10 @@ void TMSPHDebris::list_candidates(const NeighList &list, double neighbor_skin,
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHDebris::add(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH &pair)
+void TMSPHDebris::add(int i, int j, const FixTMSPHBond &bonds)
 {
   Candidate c;
-  if (!may_touch(i, j) || !make(i, j, bonds, pair, c)) return;
+  if (!may_touch(i, j) || !make(i, j, bonds, c)) return;
   candidates.push_back(c);
   sorted = false;
 }

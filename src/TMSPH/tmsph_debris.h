@@ -16,7 +16,6 @@ namespace LAMMPS_NS {
 
 class FixTMSPHBond;
 class NeighList;
-class PairTMSPH;
 
 /** Two particles without an intact bond repel with k (d - r) along the line between them, from the
     distance d = min(|X_ij|, (d_i + d_j)/2) on. d_i is the reference distance of the nearest
@@ -25,14 +24,15 @@ class TMSPHDebris : protected Pointers {
  public:
   explicit TMSPHDebris(class LAMMPS *lmp) : Pointers(lmp) {}
 
+  /// Young's modulus of each type, [ntypes+1]
+  void set_young(const std::vector<double> &values) { young = values; }
   /// contact sizes d_i of the local particles
   void measure(const FixTMSPHBond &bonds);
   std::vector<double> &spacings() { return spacing; }    ///< ghosts' ones are filled by the caller
   /// pairs of a full neighbor list that may touch before the next one, which the skin decides
-  void list_candidates(const NeighList &list, double neighbor_skin, const FixTMSPHBond &bonds,
-                       const PairTMSPH &pair);
+  void list_candidates(const NeighList &list, double neighbor_skin, const FixTMSPHBond &bonds);
   /// a bond of local particle i to j broke: they may touch from now on
-  void add(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH &pair);
+  void add(int i, int j, const FixTMSPHBond &bonds);
   /** Adds forces to atom->f of local particles, and to virial (6, or nullptr).
       @return this processor's share of the energy */
   double repel(double *virial);
@@ -43,6 +43,7 @@ class TMSPHDebris : protected Pointers {
     int i, j;
     double distance, stiffness;
   };
+  std::vector<double> young;
   std::vector<double> spacing;    // [nlocal+nghost]
   double skin = 0.0;
   std::vector<Candidate> candidates;
@@ -51,7 +52,7 @@ class TMSPHDebris : protected Pointers {
 
   /// before the next neighbor list: no particle moves more than half the skin until then
   bool may_touch(int i, int j) const;
-  bool make(int i, int j, const FixTMSPHBond &bonds, const PairTMSPH &pair, Candidate &) const;
+  bool make(int i, int j, const FixTMSPHBond &bonds, Candidate &) const;
 };
 
 }    // namespace LAMMPS_NS

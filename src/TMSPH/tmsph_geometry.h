@@ -81,7 +81,8 @@ inline Point3 polygon_normal(const std::vector<Point3> &corner)
   return normal;
 }
 
-/// Flat polygon, convex or not: the point lies inside if a ray crosses its rim an odd number of times.
+/// Flat polygon, convex or not: a point is inside if a ray from it crosses the rim an odd number of
+/// times.
 inline bool crosses_polygon(const Point3 &a, const Point3 &b, const std::vector<Point3> &corner)
 {
   const Point3 normal = polygon_normal(corner);

@@ -76,9 +76,11 @@ inline double load_factor(const Extremes &stress, double strength, const HoekBro
 {
   const double difference = stress.largest - stress.smallest, s3 = -stress.largest;
   const auto square_root_form = [&]() {
-    return (-rock.mb * s3 +
-            std::sqrt(rock.mb * rock.mb * s3 * s3 + 4.0 * rock.s * difference * difference)) /
-        (2.0 * rock.s * strength);
+    const double m3 = rock.mb * s3;
+    const double root = std::sqrt(m3 * m3 + 4.0 * rock.s * difference * difference);
+    // under pressure -m3 + root would cancel
+    return m3 > 0.0 ? 2.0 * difference * difference / (strength * (m3 + root))
+                    : (root - m3) / (2.0 * rock.s * strength);
   };
   if (rock.a == 0.5) return square_root_form();
   const auto fails_divided_by = [&](double o) {

@@ -53,7 +53,7 @@ TMSPH_INLINE void store(double *p, Lanes a)
 
 TMSPH_INLINE Lanes square_root(Lanes a)
 {
-  Lanes r;
+  Lanes r = a;
   for (int l = 0; l < WIDTH; l++) r[l] = std::sqrt(a[l]);
   return r;
 }

@@ -28,7 +28,7 @@ inline double uniform_random(int64_t id, int64_t seed, int64_t stream)
   uint64_t z = mix_bits((uint64_t) seed + GOLDEN);
   z = mix_bits(z ^ ((uint64_t) stream + GOLDEN));
   z = mix_bits(z + GOLDEN * (uint64_t) id);
-  return ((double) (z >> 11) + 0.5) * 0x1.0p-53;
+  return ((double) (z >> 12) + 0.5) * 0x1.0p-52;    // 52 bits: the sum is exact, so below 1
 }
 
 /** Weibull variate with scale lambda_0: lambda_0 (-ln U)^(1/omega).

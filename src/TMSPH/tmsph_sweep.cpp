@@ -122,6 +122,13 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
     }
     if (out.stress) {
       Matrix<D, Lanes> sigma = cauchy(P, deformation(H));
+      if constexpr (THERMAL == ThermalStrain::BOND) {
+        // H is the elastic part of F = (1 + a)(I + H), and so are P and J
+        Lanes heated = 1.0 / (1.0 + own.thermal_strain()), scale = heated;
+        for (int i = 1; i < D; i++) scale *= heated;
+        for (int i = 0; i < D; i++)
+          for (int j = 0; j < D; j++) sigma[i][j] *= scale;
+      }
       if (out.inverted_breaks) {
         const auto turned = determinant(deformation(H)) <= 0.0;
         for (int i = 0; i < D; i++)

@@ -61,9 +61,8 @@ def measured(plane, rows, omega, deflection, rotation, speed):
         scene.files[f"shape.{axis}"] = f"\n{len(cloud)}\n" + "".join(
             f"{i + 1} {v:.17g}\n" for i, v in enumerate(column))
         scene.add(f"variable s{axis} atomfile shape.{axis}")
-    scene.add("variable q atom c_p[1]*v_sx+c_p[2]*v_sy\ncompute q all reduce sum v_q\n"
-              f"thermo_style custom step c_q\nthermo {every}\nrun {48 * every}")
-    q = scene.run().thermo("c_q")
+    scene.add("variable q atom c_p[1]*v_sx+c_p[2]*v_sy\ncompute q all reduce sum v_q")
+    q = scene.thermo("step c_q", every).add(f"run {48 * every}").run().thermo("c_q")
     cosine = np.dot(q[2:] + q[:-2], q[1:-1]) / (2 * np.dot(q[1:-1], q[1:-1]))
     return np.arccos(cosine) / (every * dt)
 

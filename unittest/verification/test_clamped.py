@@ -27,8 +27,7 @@ class State:
         cloud = lattice(name, cells, SPACING, periodic)
         self.V = cloud.volume.sum()
         keyword = "" if plane == "3-D" else "plane " + plane.split()[1]
-        scene = Scene(cloud, [ROCK], f"{keyword} {options}", commands="thermo_style custom step pe "
-                      "press pxx pyy pzz vol")
+        scene = Scene(cloud, [ROCK], f"{keyword} {options}").thermo("step pe press pxx pyy pzz vol")
         scene.add(f"compute p all tmsph/property/atom {' '.join(STRESSES)}\nrun 0")
         if stretch is not None and len(periodic) < d:
             scene.move(cloud.X * stretch)    # x, the periodic direction, has stretch 1
@@ -58,7 +57,8 @@ def relative(value, exact):
 def blocked(report):
     """No displacement at all; expansion 1e-7, so that the linear values hold to about 1e-6."""
     dT = 1e-2
-    linear = {"plane strain": -E * ALPHA * dT / (1 - 2 * NU), "plane stress": -E * ALPHA * dT / (1 - NU),
+    linear = {"plane strain": -E * ALPHA * dT / (1 - 2 * NU),
+              "plane stress": -E * ALPHA * dT / (1 - NU),
               "3-D": -E * ALPHA * dT / (1 - 2 * NU)}
     for plane, exact in linear.items():
         for mode in ("bond", "strain"):

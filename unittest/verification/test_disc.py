@@ -26,8 +26,8 @@ class Disc:
         pair = disc_materials(swapped)
         self.p = contact_pressure(pair, plane, self.a, self.R, TEMPERATURE)
         scene = Scene(cloud, pair, f"plane {plane}")
-        scene.add("compute p all tmsph/property/atom sxx syy sxy\nthermo_style custom step fnorm\n"
-                  f"thermo 1000\nrun 0\nset group all temperature {TEMPERATURE}")
+        scene.thermo("step fnorm").add("compute p all tmsph/property/atom sxx syy sxy\nrun 0\n"
+                                       f"set group all temperature {TEMPERATURE}")
         scene.minimize(1e-5 * abs(self.p) * spacing).snapshot("d", "c_p[*]")
         run = scene.run()
         self.steps = int(run.thermo("Step")[-1])

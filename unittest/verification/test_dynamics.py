@@ -23,8 +23,8 @@ def block(name, cells, spin, courant):
     velocity = np.cross(omega, r)[:, :d]
     velocity[:, 0] += 0.01 * SPEED * np.sin(0.5 * np.pi * r[:, 0] / size)
     scene = Scene(cloud, [ROCK]).set("vx vy vz"[: 3 * d - 1], velocity)
-    scene.add(f"timestep {courant * SPACING / SPEED:.6g}\nfix 1 all nve\nthermo 10")
-    scene.add("thermo_style custom step ke pe")
+    scene.add(f"timestep {courant * SPACING / SPEED:.6g}\nfix 1 all nve")
+    scene.thermo("step ke pe", 10)
     scene.dump("d", "x y z vx vy vz", EVERY).add(f"run {STEPS}")
     return cloud, scene.run()
 

@@ -9,7 +9,8 @@ SPACING = 1e-3
 STIFF, SOFT = material(40e9, 0.3), material(20e9, 0.2)
 CELLS = {"square": (12, 10), "hex": (12, 6), "sc": (7, 6, 5), "fcc": (4, 4, 3)}
 # rows of (axis, degrees); in 2-D the axis is z
-ROTATIONS = [((0, 0, 1), 10), ((0, 0, 1), 90), ((0, 0, 1), 180), ((1, 2, 3), 137), ((2, -1, 2), 180)]
+ROTATIONS = [((0, 0, 1), 10), ((0, 0, 1), 90), ((0, 0, 1), 180),
+             ((1, 2, 3), 137), ((2, -1, 2), 180)]
 
 
 def two_materials(name, jitter):

@@ -29,8 +29,8 @@ class Ball:
         a, R = (np.cbrt(3 * v.sum() / (4 * np.pi)) for v in (V[inside], V))
         p = contact_pressure(a, R)
         scene = Scene(cloud, [INNER, OUTER])
-        scene.add("compute p all tmsph/property/atom sxx syy szz sxy sxz syz\nthermo 1000\n"
-                  f"thermo_style custom step fnorm\nrun 0\nset group all temperature {TEMPERATURE}")
+        scene.add("compute p all tmsph/property/atom sxx syy szz sxy sxz syz")
+        scene.thermo("step fnorm").add(f"run 0\nset group all temperature {TEMPERATURE}")
         scene.minimize(1e-5 * p * spacing**2).snapshot("d", "c_p[*]")
         run = scene.run()
         self.n, self.steps = len(cloud), int(run.thermo("Step")[-1])
@@ -46,7 +46,8 @@ class Ball:
         exact_hoop = np.where(inside, -p, B * (1 + 0.5 * ratio))
         # Frobenius norm of the difference to the exact tensor: radial, two hoops, and shear
         ee = e[:, :, None] * e[:, None, :]
-        exact = exact_hoop[:, None, None] * np.eye(3) + (exact_radial - exact_hoop)[:, None, None] * ee
+        exact = exact_hoop[:, None, None] * np.eye(3)
+        exact += (exact_radial - exact_hoop)[:, None, None] * ee
         square = np.sum((stress - exact) ** 2, axis=(1, 2)) / 3 / p**2
         self.error = (np.sum(V * square) / np.sum(V)) ** 0.5
         core = r < 0.5 * a

@@ -24,7 +24,7 @@ def body(name, viscous):
 
 
 def stable_step(name, viscous):
-    run = body(name, viscous)[1].add("thermo_style custom step c_dt\nrun 0").run()
+    run = body(name, viscous)[1].thermo("step c_dt").add("run 0").run()
     return run.thermo("c_dt")[0]
 
 
@@ -38,10 +38,8 @@ def growth(name, viscous, dt):
     noise = np.random.default_rng(9).normal(0, NOISE * SPACING, cloud.X.shape)
     scene.move(cloud.X + noise)
     scene.add(f"timestep {0.5 * dt:.17g}\nfix 1 all nve\n"
-              f"fix step all dt/reset 1 {dt:.17g} {dt * (1 + 1e-12):.17g} {SPACING}\n"
-              f"thermo_style custom step ke dt\nthermo_modify format float %.17g\nthermo 10\n"
-              f"run {STEPS}")
-    run = scene.run(may_fail=True)
+              f"fix step all dt/reset 1 {dt:.17g} {dt * (1 + 1e-12):.17g} {SPACING}")
+    run = scene.thermo("step ke dt", 10).add(f"run {STEPS}").run(may_fail=True)
     if run.failed:
         if any(words in run.log for words in BLOWN_UP):
             return np.inf

@@ -152,7 +152,7 @@ class Script:
 class Scene(Script):
     """A script that starts with the head that all tests of a cloud need."""
 
-    def __init__(self, cloud, materials, pair="", temperature=0.0, commands=""):
+    def __init__(self, cloud, materials, pair="", temperature=0.0):
         d = cloud.dimension
         boundary = " ".join("p" if axis in cloud.periodic or k >= d else "s"
                             for k, axis in enumerate("xyz"))
@@ -165,7 +165,11 @@ class Scene(Script):
         for k, m in enumerate(materials, 1):
             self.lines.append(f"pair_coeff {k} {k} elastic {m['young']:.17g} {m['poisson']:.17g} "
                               f"density {m['density']:.17g} expansion {m['expansion']:.17g}")
-        self.lines += [commands, "thermo_modify norm no format float %.17g"]
+        self.thermo("step pe press")
+
+    def thermo(self, columns, every=1000):
+        return self.add(f"thermo_style custom {columns}\n"
+                        f"thermo_modify norm no format float %.17g\nthermo {every}")
 
     def set(self, attributes, values):
         """Sets atom attributes, such as 'x y', to one column of values each."""
@@ -208,7 +212,8 @@ class Run:
                 command = [launcher, "-np", str(ranks)] + command
                 environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                                    OMPI_MCA_rmaps_base_oversubscribe="1",
-                                   OMPI_MCA_hwloc_base_binding_policy="none")
+                                   OMPI_MCA_hwloc_base_binding_policy="none",
+                                   OMPI_MCA_mpi_yield_when_idle="1")
             done = subprocess.run(command, cwd=folder, env=environment, text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             self.log, self.status = done.stdout, done.returncode

@@ -1,0 +1,101 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Smoothing kernels: slope, normalization, support.
+------------------------------------------------------------------------- */
+
+#include "tmsph_kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <tuple>
+
+using namespace TMSPH;
+
+namespace {
+
+class Kernels : public ::testing::TestWithParam<std::tuple<Kernel, int>> {
+ protected:
+  const Kernel kernel = std::get<0>(GetParam());
+  const int dimension = std::get<1>(GetParam());
+  const double delta = 3.015e-3;
+  const double h = delta / support_in_smoothing_lengths(kernel);
+
+  double w(double R) const { return kernel_slope(kernel, dimension, R, delta); }
+
+  /// W up to its normalization: Wendland C2, cubic and quintic spline
+  double shape(double R) const
+  {
+    const double q = R / h;
+    const auto power = [](double x, int n) { return x > 0.0 ? std::pow(x, n) : 0.0; };
+    if (kernel == Kernel::WENDLAND) return power(1.0 - 0.5 * q, 4) * (1.0 + 2.0 * q);
+    if (kernel == Kernel::CUBIC) return power(2.0 - q, 3) - 4.0 * power(1.0 - q, 3);
+    return power(3.0 - q, 5) - 6.0 * power(2.0 - q, 5) + 15.0 * power(1.0 - q, 5);
+  }
+
+  /// integral over all space of f(R), a polynomial of degree <= 9 times R^(1-d) between the knots
+  template <class FN> double integral(FN f) const
+  {
+    const double x[5] = {-0.90617984593866399, -0.53846931010568309, 0.0, 0.53846931010568309,
+                         0.90617984593866399};
+    const double weight[5] = {0.23692688505618909, 0.47862867049936647, 128.0 / 225.0,
+                              0.47862867049936647, 0.23692688505618909};
+    double sum = 0.0;
+    for (double knot = 0.0; knot < support_in_smoothing_lengths(kernel); knot += 1.0)
+      for (int k = 0; k < 5; k++) {
+        const double R = h * (knot + 0.5 * (1.0 + x[k]));
+        sum += 0.5 * h * weight[k] * f(R) * (dimension == 2 ? 2.0 * M_PI * R : 4.0 * M_PI * R * R);
+      }
+    return sum;
+  }
+};
+
+// by parts: integral of W = -(1/d) integral of R W' = (1/d) integral of w R^2; the quadrature is
+// exact for these polynomials, so that only round-off remains
+TEST_P(Kernels, normalized)
+{
+  EXPECT_NEAR(integral([&](double R) { return w(R) * R * R; }) / dimension, 1.0, 1.0e-14);
+}
+
+// central differences of the closed form: truncation (step/h)^2 = 1e-8 times W'''/W', of order 10
+TEST_P(Kernels, slope_of_kernel)
+{
+  const double norm = 1.0 / integral([&](double R) { return shape(R); });
+  const double step = 1.0e-4 * h, scale = w(0.3 * h) * h;
+  for (int k = 1; k < 200; k++) {
+    const double R = delta * k / 200.0;
+    const double slope = norm * (shape(R + step) - shape(R - step)) / (2.0 * step);
+    EXPECT_NEAR(w(R) * R, -slope, 1.0e-6 * scale) << "R/h = " << R / h;
+  }
+}
+
+TEST_P(Kernels, support)
+{
+  for (double R : {delta, 1.0001 * delta, 10.0 * delta}) EXPECT_EQ(w(R), 0.0);
+  for (int k = 1; k < 1000; k++) EXPECT_GT(w(delta * k / 1000.0), 0.0);
+  // all three vanish at the support at least as (delta - R)^2, so a cut-off bond does not jump
+  EXPECT_LT(w(delta * (1.0 - 1.0e-6)), 1.0e-10 * w(0.5 * delta));
+}
+
+// w scales as length^-(d+2)
+TEST_P(Kernels, scales_with_length)
+{
+  const double ratio = kernel_slope(kernel, dimension, 0.7, 2.0) /
+      kernel_slope(kernel, dimension, 0.35, 1.0);
+  EXPECT_NEAR(ratio * std::pow(2.0, dimension + 2), 1.0, 1.0e-14);    // round-off
+}
+
+std::string name_of(const ::testing::TestParamInfo<Kernels::ParamType> &info)
+{
+  const char *name[] = {"wendland", "cubic", "quintic"};
+  return name[(int) std::get<0>(info.param)] + std::to_string(std::get<1>(info.param)) + "d";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Kernels,
+                         ::testing::Combine(::testing::Values(Kernel::WENDLAND, Kernel::CUBIC,
+                                                              Kernel::QUINTIC),
+                                            ::testing::Values(2, 3)), name_of);
+
+}    // namespace

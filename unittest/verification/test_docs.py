@@ -1,0 +1,204 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""The documentation agrees with the code: every style has a page with its sections,
+every keyword that a style reads is on its page, links lead somewhere, and what
+can be run is run: the input of the Howto and the usage in the material sets."""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCE, PAGES, MATERIALS = ROOT / "src/TMSPH", ROOT / "doc/src", ROOT / "potentials"
+LMP = os.environ.get("TMSPH_LMP")
+
+COMMON = ["Syntax", "Examples", "Description", "Restrictions", "Related commands", "Default"]
+SECTIONS = {
+    "pair": COMMON[:3] + ["Mixing, shift, table, tail correction, restart, rRESPA info"]
+    + COMMON[3:],
+    "fix": COMMON[:3] + ["Restart, fix_modify, output, run start/stop, minimize info"] + COMMON[3:],
+    "compute": COMMON[:3] + ["Output info"] + COMMON[3:],
+    "command": COMMON,
+}
+INDEX = {"pair": "pair_style {}", "fix": "fix {}", "compute": "compute {}", "command": "{}",
+         "atom": "atom_style {}"}
+IN_THE_HOWTO = ["atom_style tmsph", "fix tmsph/bond"]
+
+faults = []
+
+
+def check(condition, fault):
+    if not condition:
+        faults.append(fault)
+
+
+def styles():
+    """(kind, name, header) of every style that the headers register."""
+    for header in sorted(SOURCE.glob("*.h")):
+        found = re.search(r"^(\w+)Style\(([\w/]+),", header.read_text(), re.M)
+        if found:
+            yield found[1].lower(), found[2], header
+
+
+def keywords(header):
+    """Words that the sources of a style compare input with, or name in their error messages."""
+    words = set()
+    for source in SOURCE.glob(header.stem + "*.cpp"):
+        text = re.sub(r"//.*|/\*[\s\S]*?\*/|^#include.*", "", source.read_text(), flags=re.M)
+        text = re.sub(r'"\s*\n\s*"', "", text)    # literals that go on in the next line
+        literal = r'(?:==\s*|\{|, )"([A-Za-z]\w*)"(?=\s*[\)&|?,};]|\s*$)'
+        words.update(re.findall(literal, text, re.M))
+        words.update(re.findall(r'strcmp\([^,]+, "([^"]+)"\)', text))
+        for message in re.findall(r'"(?:Unknown|Shape)[^"]*: use ([^"]+)"', text):
+            words.update(re.findall(r"[A-Za-z][A-Za-z0-9]*", message))
+    return words
+
+
+def titles(text):
+    """Headings with their underlines, in order."""
+    return re.findall(r"^(\S.*)\n([=\"^\-])\2+\n", text, re.M)
+
+
+def check_page(path):
+    text = path.read_text()
+    check(text.isascii(), f"{path.name} has characters outside of ASCII")
+    lines = text.split("\n")
+    for k, (line, below) in enumerate(zip(lines, lines[1:])):
+        check(line == line.rstrip(), f"{path.name}:{k + 1} ends with blanks")
+        if re.fullmatch(r'(=|"|\^)\1{2,}', below) and line:
+            check(len(line) == len(below), f"{path.name}:{k + 1} has an underline of other length")
+    for target in re.findall(r":doc:`[^`]*<([^>`]+)>`", text.replace("\n", " ")):
+        if "tmsph" in target:
+            check((PAGES / (target + ".rst")).exists(),
+                  f"{path.name} refers to {target}, no such page")
+    for label in re.findall(r":ref:`[^`]*<([^>`]+)>`", text):
+        check(f".. _{label}:" in text, f"{path.name} refers to {label}, which is not in it")
+
+
+def check_styles():
+    howto = (PAGES / "Howto_tmsph.rst").read_text()
+    package = (SOURCE / "README").read_text()
+    for kind, name, header in styles():
+        index = INDEX[kind].format(name)
+        check(re.search(rf"^ .*{re.escape(name)}\b", package, re.M),
+              f"{index} is not in src/TMSPH/README")
+        if index in IN_THE_HOWTO:
+            check(f".. index:: {index}\n" in howto, f"Howto_tmsph.rst has no index entry {index}")
+            continue
+        page = PAGES / (header.stem + ".rst")
+        if not page.exists():
+            faults.append(f"{index} has no page {page.name}")
+            continue
+        text = page.read_text()
+        check(text.startswith(f".. index:: {index}\n"), f"{page.name} has no index entry {index}")
+        heads = [title for title, line in titles(text)]
+        check(heads[:1] == [f"{index} command"],
+              f"the title of {page.name} is not '{index} command'")
+        present = [title for title in heads if title in SECTIONS[kind]]
+        check(present == SECTIONS[kind],
+              f"the sections of {page.name} are {present}, not {SECTIONS[kind]}")
+        for word in sorted(keywords(header)):
+            check(re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text),
+                  f"{page.name} does not mention '{word}', which {index} reads")
+        check(f"({'doc/src/' + page.name})" in (ROOT / "README.md").read_text(),
+              f"README.md has no link to {page.name}")
+
+
+def check_map_of_files():
+    text = (SOURCE / "README").read_text()
+    listed = set()
+    for name, endings in re.findall(r"^  (\w+)\.(\{h,cpp\}|h|cpp)  ", text, re.M):
+        listed.update(f"{name}.{end}" for end in endings.strip("{}").split(","))
+    there = {path.name for path in SOURCE.iterdir() if path.suffix in (".h", ".cpp")}
+    check(listed == there, f"src/TMSPH/README lists other files than there are: "
+                           f"{sorted(listed ^ there)}")
+
+
+def check_links():
+    text = (ROOT / "README.md").read_text()
+    anchors = {re.sub(r"[^\w -]", "", head).strip().lower().replace(" ", "-")
+               for head in re.findall(r"^#+ (.*)", text, re.M)}
+    for target in re.findall(r"\]\(([^)\s]+)\)", text):
+        if target.startswith("#"):
+            check(target[1:] in anchors, f"README.md has no section {target}")
+        elif target.startswith("doc/images/") and not (ROOT / "doc/images").exists():
+            print(f"no pictures in this checkout: {target} not checked")
+        elif "://" not in target:
+            check((ROOT / target).exists(), f"README.md links to {target}, which does not exist")
+    for target in re.findall(r"tmsph run (\S+/\S+)", text):
+        check((ROOT / target).exists(), f"README.md runs {target}, which does not exist")
+
+
+def run(text, what):
+    """Runs an input, as from a folder of examples; returns what lmp printed."""
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder, "examples/name")
+        place.mkdir(parents=True)
+        Path(folder, "potentials").symlink_to(MATERIALS)
+        (place / "in.name").write_text(text)
+        done = subprocess.run([LMP, "-in", "in.name", "-log", "none"], cwd=place, text=True,
+                              capture_output=True, timeout=600)
+    error = re.search(r"^ERROR.*", done.stdout + done.stderr, re.M)
+    check(done.returncode == 0 and not error, f"{what}: {error[0] if error else done.returncode}")
+    return done.stdout
+
+
+def check_howto():
+    text = (PAGES / "Howto_tmsph.rst").read_text()
+    text = text[text.index("Quick start"):]
+    block = re.search(r"code-block:: LAMMPS\n((?:   .*\n|\s*\n)+)", text)[1]
+    out = run(re.sub(r"^   ", "", block, flags=re.M), "input of Howto_tmsph.rst")
+    last = re.findall(r"^ +2000 +200 +(\d+)", out, re.M)
+    check(last and int(last[0]) > 0, "the disc of Howto_tmsph.rst does not crack")
+
+
+BODY = """
+units si
+dimension 2
+boundary s s p
+atom_style tmsph
+lattice sq 1e-3
+region box block 0 0.01 0 0.01 -0.0005 0.0005 units box
+create_box 1 box
+create_atoms 1 box
+set group all volume 1e-9
+pair_style tmsph 3.015e-3
+"""
+
+
+def check_materials():
+    sets = sorted(MATERIALS.glob("*.tmsph"))
+    check(sets, "there are no material sets in potentials")
+    for path in sets:
+        text = path.read_text()
+        check(text.isascii(), f"{path.name} has characters outside of ASCII")
+        check(text.startswith("# UNITS: "), f"{path.name} does not start with its units")
+        names = re.findall(r"^variable +(\w+) +index +\S", text, re.M)
+        check(len(names) == len(re.findall(r"^(?!#)\S", text, re.M)),
+              f"{path.name} has other lines than index-style variables")
+        example = r"^# ((?:include|pair_coeff|fix) .*|  +expansion.*)"
+        usage = "\n".join(re.findall(example, text, re.M))
+        check("include" in usage and "pair_coeff" in usage,
+              f"{path.name} does not tell how to use it")
+        prints = "".join(f'print "value {name} ${{{name}}}"\n' for name in names)
+        out = run(BODY + usage + "\nrun 0\n" + prints, path.name)
+        values = dict(re.findall(r"^value (\w+) (\S+)$", out, re.M))
+        for name in names:
+            check(re.fullmatch(r"[0-9.]+(e[+-]?\d+)?", values.get(name, "")),
+                  f"{path.name}: {name} is '{values.get(name)}', not a number")
+
+
+for page in sorted(PAGES.glob("*.rst")):
+    check_page(page)
+check_styles()
+check_map_of_files()
+check_links()
+if LMP:
+    check_howto()
+    check_materials()
+else:
+    print("TMSPH_LMP is not set: nothing run")
+print("\n".join(faults) if faults else f"{len(list(styles()))} styles documented")
+sys.exit(1 if faults else 0)
