@@ -12,7 +12,8 @@ circle 10 mm outside the interface."""
 
 from tmsph_testing import *
 
-EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "disc" / "in.disc"
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLE = ("examples/disc/in.disc", "potentials/mu2022.tmsph")    # it includes the second
 SPACING, MI = 1e-3, 7.0
 SEEDS = (4711, 1, 2)
 IN_CRACK, LINK = 0.25, 1.8 * SPACING
@@ -51,13 +52,14 @@ class Disc:
     def __init__(self, seed, swapped=False):
         scene = Script(f"variable seed index {seed}\nvariable mi index {MI}\n"
                        f"variable swap index {'yes' if swapped else 'no'}\nvariable dump index 0\n"
-                       f"variable dx index {SPACING}\ninclude {EXAMPLE}")
+                       f"variable dx index {SPACING}\nshell cd examples/disc\ninclude in.disc\n"
+                       "shell cd ../..", {name: (ROOT / name).read_text() for name in EXAMPLE})
         scene.add("compute q all tmsph/property/atom x0 y0 strength\n"
                   "compute b all tmsph/bond/local id1 id2\nrun 0")
         scene.snapshot("end", "type x y vx vy c_q[*]")
         scene.add("write_dump all local events.local f_break[*]\n"
                   "write_dump all local bonds.local c_b[*]")
-        run = scene.run(2)
+        run = scene.run()
         self.swapped, self.end = swapped, run.frame("end")
         self.X, self.strength = self.end("c_q[1] c_q[2]"), self.end["c_q[3]"]
         self.inside = self.end["type"] == 1

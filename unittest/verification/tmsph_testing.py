@@ -201,6 +201,7 @@ class Run:
         folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
         try:
             for name, text in scene.files.items():
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
             (folder / "in.test").write_text("\n".join(scene.lines) + "\n")
             command = [os.environ["TMSPH_LMP"], "-in", "in.test", "-log", "none", "-nocite"]
