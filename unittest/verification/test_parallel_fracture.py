@@ -41,7 +41,7 @@ class Body:
             "thermo_style custom step temp f_hb f_hb[5]\nthermo 100\n" + more)
 
     def start(self, more=""):
-        scene = Scene(self.cloud, ROCKS, self.pair, commands=f"tmsph/cut all {self.cut}")
+        scene = Scene(self.cloud, ROCKS, self.pair).add(f"tmsph/cut all {self.cut}")
         return self.fixes(scene, more)
 
     def ending(self, scene, runs):
