@@ -1,0 +1,189 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""Hoek-Brown breaking in homogeneous stress. All particles are displaced so that
+the Cauchy stress is known exactly; at 0.999 of the criterion no bond breaks, at
+1.001 of it all do. The constants are those of Hoek, Carranza-Torres and Corkum
+(2002), written down here again."""
+
+from tmsph_testing import *
+
+SPACING, MI = 1e-3, 8.0
+ROCK = material(40e9, 0.3, 2700)
+LAMBDA = 40e9 * 0.3 / (1.3 * 0.4)
+SHEAR = 40e9 / 2.6
+STRENGTH = 120e6
+BELOW, ABOVE = 0.999, 1.001
+STRESS = 1e-7    # closed-form principal values lose half of the digits where two of them coincide
+BLOCKS = {2: ("hex", (7, 4)), 3: ("sc", (5, 5, 5))}
+
+
+def constants(gsi, disturbance, mi=MI):
+    return (mi * np.exp((gsi - 100) / (28 - 14 * disturbance)),
+            np.exp((gsi - 100) / (9 - 3 * disturbance)),
+            0.5 + (np.exp(-gsi / 15) - np.exp(-20 / 3)) / 6)
+
+
+def critical(direction, rock, strength, zz=None):
+    """The factor by which principal stresses (tension positive) meet the criterion; by bisection."""
+    values = list(direction) + ([zz] if zz is not None else [])
+    S1, S3 = -min(values), -max(values)
+    mb, s, a = rock
+    low, high = 0.0, 100.0 * strength
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        bracket = mb * middle * S3 / strength + s
+        broken = bracket <= 0 or middle * (S1 - S3) >= strength * bracket**a
+        low, high = (low, middle) if broken else (middle, high)
+    return high
+
+
+def stretches(principal):
+    """Those of a St Venant-Kirchhoff body with these principal Cauchy stresses: the second
+    Piola-Kirchhoff stress is J sigma/stretch^2, Hooke's law gives the strain. Iterated."""
+    principal = np.asarray(principal, float)
+    d, stretch = len(principal), np.ones(len(principal))
+    for _ in range(60):
+        second = np.prod(stretch) * principal / stretch**2
+        strain = (second - LAMBDA * second.sum() / (d * LAMBDA + 2 * SHEAR)) / (2 * SHEAR)
+        stretch = np.sqrt(1 + 2 * strain)
+    return stretch
+
+
+def turned(d):
+    """Principal directions that are not those of the lattice."""
+    angle = np.radians(17)
+    turn = np.eye(d)
+    turn[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+    if d == 3:
+        tilt = np.eye(3)
+        tilt[1:, 1:] = turn[:2, :2]
+        turn = turn @ tilt
+    return turn
+
+
+class Block:
+    """A free block that is taken from one homogeneous stress to the next."""
+
+    def __init__(self, d, breaking, cloud=None, rocks=1):
+        name, cells = BLOCKS[d]
+        self.cloud = cloud or lattice(name, cells, SPACING)
+        self.scene = Scene(self.cloud, [ROCK] * rocks)
+        self.scene.add(f"fix hb all tmsph/hoekbrown {breaking}\n"
+                       "compute s all tmsph/property/atom s1 s2 s3 strength\n"
+                       "compute low all reduce min c_s[1] c_s[3]\ncompute high all reduce max c_s[1] c_s[3]\n"
+                       "compute b all tmsph/bond/local id1 id2 state\n"
+                       "thermo_style custom step f_hb f_hb[1] f_hb[2] f_hb[4] c_low[*] c_high[*]\n"
+                       "thermo_modify norm no format float %.17g\nrun 0")
+        self.scene.add("write_dump all local bonds.local c_b[*]").snapshot("s", "c_s[4]")
+
+    def load(self, principal):
+        d = self.cloud.dimension
+        turn = turned(d)
+        F = turn @ np.diag(stretches(principal)) @ turn.T
+        self.scene.move(self.cloud.X @ F.T).add("run 1")
+        return self
+
+    def run(self):
+        run = self.scene.add("write_dump all local events.local f_hb[*]").run()
+        self.bonds = np.stack(list(run.frame("bonds").values()), axis=1)[:, :2].astype(int)
+        self.strength = run.frame("s")["c_s[4]"]
+        events = np.stack(list(run.frame("events").values()), axis=1)[:, :2].astype(int)
+        self.broken = set(map(tuple, events))
+        return run
+
+
+def state(report, what, direction, rock_words, rock, tags, zz=None):
+    d = len(direction)
+    factor = critical(direction, rock, STRENGTH, zz)
+    block = Block(d, f"strength * {STRENGTH} mi * {MI} {rock_words}")
+    for share in (BELOW, ABOVE):
+        block.load(share * factor * np.array(direction))
+    run = block.run()
+    below, above = run.thermo("f_hb", 1)[-1], run.thermo("f_hb", 2)[-1]
+    # the stress is what it is meant to be: before the step, in the setup of each run
+    S = [run.thermo(f"c_{side}[{k}]", 2)[0] for side in ("low", "high") for k in (1, 2)]
+    wanted = ABOVE * factor * np.array(direction)
+    error = max(abs(S[0] - wanted.max()), abs(S[2] - wanted.max()))
+    if d == 3:
+        error = max(error, abs(S[1] - wanted.min()), abs(S[3] - wanted.min()))
+    name = f"{what}, at {factor / STRENGTH:.6f} of the strength"
+    report.below(f"{name}: error of the stress", error / (factor * np.abs(direction).max()), STRESS)
+    report.below(f"{name}: broken at 0.999", below, 1)
+    report.within(f"{name}: share broken at 1.001", above / len(block.bonds), 1, 1)
+    report.within(f"{name}: load factor at 0.999", run.thermo("f_hb[4]", 1)[-1], 0.9989, 0.9991)
+    if tags:
+        tension, shear = run.thermo("f_hb[1]", 2)[-1], run.thermo("f_hb[2]", 2)[-1]
+        report.within(f"{name}: share in {tags}", (tension if tags == "tension" else shear) / above, 1, 1)
+
+
+def states(report):
+    plane = [("uniaxial compression", (-1, 0), ""), ("uniaxial tension", (1, 0), "tension"),
+             ("biaxial tension", (1, 1), "tension"), ("confined compression", (-1, -0.05), "shear"),
+             ("shear", (1, -1), "tension")]
+    space = [("uniaxial compression", (-1, 0, 0), ""), ("uniaxial tension", (1, 0, 0), "tension"),
+             ("biaxial tension", (1, 1, 0), "tension"), ("triaxial tension", (1, 1, 1), "tension"),
+             ("confined compression", (-1, -0.3, -0.05), "shear")]
+    for gsi, disturbance in ((100, 0), (75, 0), (75, 1), (50, 0), (50, 1)):
+        rock = constants(gsi, disturbance)
+        words = f"gsi * {gsi} disturbance * {disturbance}"
+        for name, direction, tags in plane + space:
+            state(report, f"{len(direction)}-D, gsi {gsi}, D {disturbance}, {name}", direction, words,
+                  rock, tags)
+    # out of the plane: szz = nu (sxx + syy)
+    for name, direction, tags in plane:
+        state(report, f"all principals, {name}", direction, "principal all", constants(100, 0), tags,
+              0.3 * sum(direction))
+
+
+def closed_forms(report):
+    """The bisection against the closed forms for a = 1/2 and the strengths of any a."""
+    rock = constants(100, 0)
+    mb, s, a = rock
+    report.below("uniaxial tension, bisection against closed form",
+                 abs(critical((1, 0), rock, 1.0) / (0.5 * (np.sqrt(mb**2 + 4 * s) - mb)) - 1), 1e-12)
+    for gsi in (100, 75, 50):
+        mb, s, a = rock = constants(gsi, 1)
+        report.below(f"gsi {gsi}, compression s^a and biaxial tension s/mb, against closed form",
+                     abs(critical((-1, 0), rock, 1.0) / s**a - 1) +
+                     abs(critical((1, 1), rock, 1.0) * mb / s - 1), 1e-12)
+
+
+def two_rocks(report):
+    """Bonds between rocks of equal elasticity have the mean strength and constants."""
+    strengths, rocks = (100e6, 200e6), (constants(100, 0, 6.0), constants(60, 0, 12.0))
+    between = tuple(np.mean(rocks, axis=0))
+    for name, direction in (("compression", (-1, -0.02)), ("tension", (1, 0))):
+        factor = critical(direction, between, np.mean(strengths))
+        limits = [critical(direction, rock, strength) for rock, strength in zip(rocks, strengths)]
+        for share in (BELOW, ABOVE):
+            cloud = lattice(*BLOCKS[2], SPACING)
+            cloud.type = np.where(cloud.X[:, 0] < cloud.X[:, 0].mean(), 1, 2)
+            block = Block(2, "strength 1 100e6 strength 2 200e6 mi 1 6 mi 2 12 gsi 1 100 gsi 2 60",
+                          cloud, 2).load(share * factor * np.array(direction))
+            block.run()
+            kinds = cloud.type[block.bonds - 1].sum(axis=1)
+            broken = np.array([tuple(bond) in block.broken for bond in block.bonds])
+            what = f"two rocks, {name} at {share}"
+            for kind, limit in ((2, limits[0]), (4, limits[1]), (3, factor)):
+                report.within(f"{what}: share of bonds {kind // 2}-{kind - kind // 2} broken",
+                              broken[kinds == kind].mean(), *[int(share * factor > limit)] * 2)
+
+
+def scattered(report):
+    """Weibull strengths: a bond breaks with the mean of its ends' strengths."""
+    for d in (2, 3):
+        s = constants(75, 0)[1] ** constants(75, 0)[2]
+        block = Block(d, f"strength * {STRENGTH} mi * {MI} gsi * 75 weibull * 10 7")
+        block.load([-0.95 * STRENGTH * s] + [0] * (d - 1)).run()
+        mean = block.strength[block.bonds - 1].mean(axis=1)
+        due = {tuple(bond) for bond in block.bonds[0.95 * STRENGTH >= mean]}
+        what = f"{d}-D, scattered strengths, compression"
+        report.within(f"{what}: share due", len(due) / len(block.bonds), 0.2, 0.8)
+        report.below(f"{what}: bonds not as due", len(due ^ block.broken), 1)
+
+
+report = Report()
+closed_forms(report)
+states(report)
+two_rocks(report)
+scattered(report)
+report.finish()
