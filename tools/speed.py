@@ -93,7 +93,7 @@ def measure(lmp, scene, case, empty):
     seconds = wall if ranks > 1 else wall * min(1.0, share)    # ranks that wait are busy: wall clock
     return {"scene": scene, "case": case, "ranks": ranks, "particles": n, "steps": steps[name],
             "cpu_s": seconds, "wall_s": wall, "us": 1e6 * seconds / n / steps[name],
-            "cpu_share": min(1.0, share / ranks), "bytes": (memory - empty) / n if ranks == 1 else "", "lammps_bytes": own / n}
+            "cpu_share": min(1.0, share), "bytes": (memory - empty) / n if ranks == 1 else "", "lammps_bytes": own / n}
 
 
 def median(rows, key):
