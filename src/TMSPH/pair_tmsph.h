@@ -109,7 +109,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   // of the stable time step: what it was estimated for last, and its value
   int coefficients_at_estimate;
   bigint bonds_at_estimate;
-  double stable_dt;
+  double stable_dt, intact_dt;    // now, and before bonds broke
   bool reported;
 
   bool stepped;                                   // the rows hold the velocities of a step

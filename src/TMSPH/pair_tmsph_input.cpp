@@ -34,7 +34,7 @@ PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr),
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0), stable_dt(0.0),
-    reported(false), stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
+    intact_dt(0.0), reported(false), stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;

@@ -41,6 +41,7 @@ void PairTMSPH::check_timestep()
   const bigint intact = bond_fix->count_bonds(FixTMSPHBond::INTACT);
   if (coefficients_at_estimate != coefficients || intact < 0.99 * bonds_at_estimate) {
     stable_dt = stable_timestep();
+    if (coefficients_at_estimate != coefficients) intact_dt = stable_dt;
     bonds_at_estimate = intact;
     coefficients_at_estimate = coefficients;
   }
@@ -51,11 +52,11 @@ void PairTMSPH::check_timestep()
     error->all(FLERR, "The time step {} is above the stable one, {:.4g}: set 'timestep {:.2g}' or "
                       "less",
                update->dt, stable_dt, FRACTURE_MARGIN * stable_dt);
-  if (break_test && update->dt > FRACTURE_MARGIN * stable_dt && comm->me == 0)
+  if (break_test && update->dt > FRACTURE_MARGIN * intact_dt && comm->me == 0)
     error->warning(FLERR,
                    "The time step {} may become unstable as bonds break: with fracture keep it "
                    "below {:.2g}",
-                   update->dt, FRACTURE_MARGIN * stable_dt);
+                   update->dt, FRACTURE_MARGIN * intact_dt);
 }
 
 /* ---------------------------------------------------------------------- */
