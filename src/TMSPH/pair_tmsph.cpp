@@ -64,14 +64,12 @@ template <int D> void PairTMSPH::evaluate()
 
   force_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), atom->f[0]);
   if (vflag_either) {
-    virial_rows.assign(6 * (size_t) nlocal, 0.0);
+    if (vflag_atom) rows.assign(6 * (size_t) nlocal, 0.0);
     virial_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(),
-                    virial_rows.data());
-    for (int i = 0; i < nlocal; i++)
-      for (int k = 0; k < 6; k++) {
-        if (vflag_global) virial[k] += virial_rows[6 * (size_t) i + k];
-        if (vflag_atom) vatom[i][k] += virial_rows[6 * (size_t) i + k];
-      }
+                    vflag_atom ? rows.data() : nullptr, vflag_global ? virial : nullptr);
+    if (vflag_atom)
+      for (int i = 0; i < nlocal; i++)
+        for (int k = 0; k < 6; k++) vatom[i][k] += rows[6 * (size_t) i + k];
   }
   if (break_test) {
     const double repulsion = break_test->repel(vflag_global ? virial : nullptr);
@@ -79,12 +77,12 @@ template <int D> void PairTMSPH::evaluate()
   }
 
   if (eflag_either) {
-    energy.resize(nlocal);
-    energy_sweep<D>(on, slices(), kinematic.data(), energy.data());
-    for (int i = 0; i < nlocal; i++) {
-      if (eflag_global) eng_vdwl += energy[i];
-      if (eflag_atom) eatom[i] += energy[i];
-    }
+    if (eflag_atom) rows.resize(nlocal);
+    const double energy =
+        energy_sweep<D>(on, slices(), kinematic.data(), eflag_atom ? rows.data() : nullptr);
+    if (eflag_global) eng_vdwl += energy;
+    if (eflag_atom)
+      for (int i = 0; i < nlocal; i++) eatom[i] += rows[i];
   }
 }
 
@@ -443,7 +441,7 @@ Slices &PairTMSPH::slices()
 double PairTMSPH::memory_usage()
 {
   const size_t doubles = kinematic.capacity() + force_row.capacity() + stress.capacity() +
-      gradient.capacity() + energy.capacity() + virial_rows.capacity();
+      gradient.capacity() + rows.capacity();
   return Pair::memory_usage() + doubles * sizeof(double) + own_side.bytes() +
       own_side_lane.capacity() * sizeof(int);
 }

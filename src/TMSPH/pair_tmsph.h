@@ -115,7 +115,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   bool stepped;                                   // the rows hold the velocities of a step
   int prepared_version;                           // layout that the arrays below belong to
   std::vector<double> kinematic, force_row;       // [nlocal+nghost][Rows::...]
-  std::vector<double> stress, gradient, energy, virial_rows;
+  std::vector<double> stress, gradient;
+  std::vector<double> rows;                       // virials or energies of particles, on demand
   TMSPH::Slices own_side;                         // particles with bonds to other materials
   std::vector<int> own_side_lane;                 // [nlocal] lane in own_side, or -1
   std::vector<int> touched;

@@ -12,6 +12,7 @@
 #include "fix_tmsph_bond.h"
 #include "tmsph_random.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -45,7 +46,14 @@ template <int D> double PairTMSPH::stable_timestep_in()
   if (prepared_version != bond_fix->layout_version()) prepare<D>();
 
   std::vector<double> trial(3 * (size_t) nlocal), at_rest(trial.size()), pushed(trial.size());
-  const std::vector<double> rows_of_step = force_row;    // the velocities in them may be wanted yet
+  // the velocities that the last step took may be wanted yet
+
+  std::vector<double> velocities;
+  if (on.viscosity)
+    for (int i = 0; i < nlocal; i++) {
+      const double *v = force_row.data() + (size_t) i * R::FORCE + R::V;
+      velocities.insert(velocities.end(), v, v + D);
+    }
   const double step = 1.0e-6 * cutoff;
   const Material &first = materials[1];
   double dt = cutoff / std::sqrt(first.elastic.wave_modulus / first.density);    // to begin with
@@ -100,6 +108,7 @@ template <int D> double PairTMSPH::stable_timestep_in()
     dt /= std::sqrt(eigenvalue);
     if (!(std::fabs(eigenvalue - 1.0) > TOLERANCE)) break;
   }
-  force_row = rows_of_step;
+  for (size_t i = 0; i < velocities.size() / D; i++)
+    std::copy_n(velocities.data() + D * i, D, force_row.data() + i * R::FORCE + R::V);
   return dt / std::sqrt(SAFETY);
 }

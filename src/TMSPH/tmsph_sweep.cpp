@@ -157,7 +157,7 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
 
 template <int D, bool THERMAL, bool HOURGLASS, bool VISCOUS, bool VIRIAL>
 void force(const Slices &bonds, const Viscosity &viscosity, const double *kinematic,
-           const double *force_row, double *out)
+           const double *force_row, double *out, double *sum)
 {
   using R = Rows<D>;
   // without hourglass and viscosity 2-D needs B only: half the row
@@ -232,9 +232,11 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
     for (int l = 0; l < bonds.valid[q]; l++) {
       const size_t i = particle[l];
       if constexpr (VIRIAL) {
-        double *v = out + 6 * i;
-        for (int k = 0; k < D; k++) v[k] += 0.5 * work[k][l];
-        for (int k = 0; k < D * (D - 1) / 2; k++) v[3 + k] += 0.5 * work[D + k][l];
+        for (double *v : {out ? out + 6 * i : nullptr, sum}) {
+          if (!v) continue;
+          for (int k = 0; k < D; k++) v[k] += 0.5 * work[k][l];
+          for (int k = 0; k < D * (D - 1) / 2; k++) v[3 + k] += 0.5 * work[D + k][l];
+        }
       } else
         for (int k = 0; k < D; k++) out[3 * i + k] += total[k][l];
     }
@@ -242,8 +244,9 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
 }
 
 template <int D, Law LAW, ThermalStrain MODE>
-void energies(const Slices &bonds, const double *kinematic, double *energy)
+double energies(const Slices &bonds, const double *kinematic, double *energy)
 {
+  double sum = 0.0;
   constexpr bool THERMAL = MODE == ThermalStrain::BOND;
   for (int q = 0; q < bonds.count(); q++) {
     const Own<D> own(bonds, q, kinematic);
@@ -264,8 +267,12 @@ void energies(const Slices &bonds, const double *kinematic, double *energy)
     }
     const Lanes total = own.volume() * strain_energy<LAW>(H, own.lambda(), own.shear(), thermal) +
         0.5 * own.chi() * penalty;
-    for (int l = 0; l < bonds.valid[q]; l++) energy[bonds.particle[q * WIDTH + l]] = total[l];
+    for (int l = 0; l < bonds.valid[q]; l++) {
+      sum += total[l];
+      if (energy) energy[bonds.particle[q * WIDTH + l]] = total[l];
+    }
   }
+  return sum;
 }
 
 /// Calls fn with the scene's law and thermal mode as compile-time constants.
@@ -323,27 +330,30 @@ void force_sweep(const Features &on, const Slices &bonds, const Viscosity &visco
                  const double *kinematic, const double *force_row, double *f)
 {
   with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
-    force<D, thermal(), hourglass(), viscous(), false>(bonds, viscosity, kinematic, force_row, f);
+    force<D, thermal(), hourglass(), viscous(), false>(bonds, viscosity, kinematic, force_row, f,
+                                                       nullptr);
   });
 }
 
 template <int D>
 void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
-                  const double *kinematic, const double *force_row, double *virial)
+                  const double *kinematic, const double *force_row, double *virial, double *total)
 {
   with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
     force<D, thermal(), hourglass(), viscous(), true>(bonds, viscosity, kinematic, force_row,
-                                                      virial);
+                                                      virial, total);
   });
 }
 
 template <int D>
-void energy_sweep(const Features &on, const Slices &bonds, const double *kinematic,
+double energy_sweep(const Features &on, const Slices &bonds, const double *kinematic,
                   double *energy)
 {
+  double sum = 0.0;
   with_law(on, [&](auto law, auto thermal) {
-    energies<D, law(), thermal()>(bonds, kinematic, energy);
+    sum = energies<D, law(), thermal()>(bonds, kinematic, energy);
   });
+  return sum;
 }
 
 template void gradient_sweep<2>(const Features &, const Slices &, int, int, const double *,
@@ -355,10 +365,10 @@ template void force_sweep<2>(const Features &, const Slices &, const Viscosity &
 template void force_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
                              const double *, double *);
 template void virial_sweep<2>(const Features &, const Slices &, const Viscosity &, const double *,
-                             const double *, double *);
+                             const double *, double *, double *);
 template void virial_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
-                             const double *, double *);
-template void energy_sweep<2>(const Features &, const Slices &, const double *, double *);
-template void energy_sweep<3>(const Features &, const Slices &, const double *, double *);
+                             const double *, double *, double *);
+template double energy_sweep<2>(const Features &, const Slices &, const double *, double *);
+template double energy_sweep<3>(const Features &, const Slices &, const double *, double *);
 
 }    // namespace TMSPH

@@ -124,16 +124,18 @@ template <int D>
 void force_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
                  const double *kinematic, const double *force_row, double *f);
 
-/** Adds each particle's half of -sum x_ij f_ij to virial[particle][6] (xx yy zz xy xz yz). A sweep
-    of its own: were it done along with the forces, the compiler would round those differently, and
+/** Adds each particle's half of -sum x_ij f_ij (xx yy zz xy xz yz) to virial[particle][6], where that
+    is not nullptr, and all of them to total[6], where that is not. A sweep of its own: were it done along with the forces, the compiler would round those differently, and
     a run that asks for the pressure would not be the same to the last bit as one that does not. */
 template <int D>
 void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
-                  const double *kinematic, const double *force_row, double *virial);
+                  const double *kinematic, const double *force_row, double *virial,
+                  double *total = nullptr);
 
-/** Elastic and hourglass energy of each particle, written to energy[particle]. */
+/** Elastic and hourglass energy of each particle, written to energy[particle] if that is not nullptr.
+    @return the sum over all particles */
 template <int D>
-void energy_sweep(const Features &on, const Slices &bonds, const double *kinematic,
+double energy_sweep(const Features &on, const Slices &bonds, const double *kinematic,
                   double *energy);
 
 }    // namespace TMSPH
