@@ -30,8 +30,8 @@ using TMSPH::WIDTH;
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), first_tag(nullptr),
-    lag(nullptr), horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0), version(0),
-    what_to_send(REFERENCE)
+    lag(nullptr), running(false), horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0},
+    natoms_at_setup(0), version(0), what_to_send(REFERENCE)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
     error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
@@ -85,8 +85,6 @@ void FixTMSPHBond::init()
                "keep it, or 'clear' and start anew",
                user->horizon(), horizon);
 
-  if (user->viscous()) want_lag();
-
   // a neighbor list serves once, to form the families
 
   if (!bonds_formed)
@@ -122,6 +120,8 @@ void FixTMSPHBond::setup_post_neighbor()
 void FixTMSPHBond::setup(int /*vflag*/)
 {
   user->run_begins();
+  memory->destroy(lag);
+  running = true;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -34,7 +34,7 @@ struct TMSPHBondUser {
   virtual void complete_particles() = 0;
   /// true if forces depend on velocities
   virtual bool viscous() const = 0;
-  /// velocity that the last step's viscosity took for local particle i; nullptr in a setup
+  /// velocity that viscosity took last for local particle i; nullptr if that was no step or setup
   virtual const double *step_velocity(int i) const = 0;
   /// the forces of a setup are there: check and tell
   virtual void run_begins() = 0;
@@ -124,7 +124,8 @@ class FixTMSPHBond : public Fix {
   // Velocity Verlet evaluates forces at half-step velocities, but a setup has only those of the
   // full step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2],
   // and the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
-  double **lag;                 // allocated with viscosity only
+  double **lag;                 // with viscosity, from the end of a run to the next setup
+  bool running;                 // between a setup and the end of its run
   double horizon;               // with which the bonds formed
   double kappa;
   double period[3];             // reference box lengths in periodic directions, else 0
@@ -146,8 +147,7 @@ class FixTMSPHBond : public Fix {
   void check_families() const;
   double largest_kappa() const;
   void resize_partners(int);
-  void want_lag();
-  void store_lag(int i);
+  void keep_velocities();
 };
 
 }    // namespace LAMMPS_NS

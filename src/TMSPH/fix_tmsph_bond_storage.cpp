@@ -41,12 +41,17 @@ void FixTMSPHBond::grow_arrays(int nmax)
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHBond::want_lag()
+void FixTMSPHBond::keep_velocities()
 {
-  if (lag) return;
-  memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
-  for (int i = 0; i < atom->nlocal; i++) std::fill(lag[i], lag[i] + 6, NAN);
-  maxexchange = 3 + 2 * maxpartner + 6;
+  if (!user || !user->viscous()) return;
+  if (!lag) memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *taken = user->step_velocity(i);
+    for (int k = 0; k < 3; k++) {
+      lag[i][k] = !taken ? NAN : k < domain->dimension ? taken[k] : 0.0;
+      lag[i][3 + k] = taken ? atom->v[i][k] : NAN;
+    }
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -56,7 +61,7 @@ void FixTMSPHBond::want_lag()
 void FixTMSPHBond::resize_partners(int length)
 {
   maxpartner = length;
-  maxexchange = 3 + 2 * maxpartner + (lag ? 6 : 0);
+  maxexchange = 3 + 2 * maxpartner + 6;
   memory->destroy(partner);
   memory->destroy(state);
   memory->create(partner, atom->nmax, maxpartner, "tmsph/bond:partner");
@@ -122,22 +127,10 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHBond::store_lag(int i)
-{
-  const double *taken = user->step_velocity(i);
-  if (!taken) return;    // no step since the setup: what is stored still holds
-  for (int k = 0; k < 3; k++) {
-    lag[i][k] = k < domain->dimension ? taken[k] : 0.0;
-    lag[i][3 + k] = atom->v[i][k];
-  }
-}
-
-/* ---------------------------------------------------------------------- */
-
 void FixTMSPHBond::post_run()
 {
-  if (!lag) return;
-  for (int i = 0; i < atom->nlocal; i++) store_lag(i);
+  keep_velocities();
+  running = false;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -145,6 +138,7 @@ void FixTMSPHBond::post_run()
 const double *FixTMSPHBond::setup_velocity(int i) const
 {
   const double *v = atom->v[i];
+  if (!lag) return v;
   return std::equal(v, v + 3, lag[i] + 3) ? lag[i] : v;
 }
 
@@ -152,6 +146,7 @@ const double *FixTMSPHBond::setup_velocity(int i) const
 
 void FixTMSPHBond::write_restart(FILE *fp)
 {
+  if (running) keep_velocities();    // those of this step
   if (comm->me) return;
   const double list[8] = {(double) bonds_formed, (double) maxpartner, (double) (lag != nullptr),
                           period[0],             period[1],           period[2],
@@ -169,7 +164,7 @@ void FixTMSPHBond::restart(char *buf)
   memcpy(list, buf, sizeof(list));
   bonds_formed = list[0] != 0.0;
   resize_partners((int) list[1]);
-  if (list[2] != 0.0) want_lag();
+  if (list[2] != 0.0) memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
   for (int k = 0; k < 3; k++) period[k] = list[3 + k];
   kappa = list[6];
   horizon = list[7];
@@ -182,7 +177,6 @@ void FixTMSPHBond::restart(char *buf)
 int FixTMSPHBond::pack_restart(int i, double *buf)
 {
   // LAMMPS wants the length first
-  if (lag) store_lag(i);
   buf[0] = size_restart(i);
   return 1 + pack_exchange(i, buf + 1);
 }

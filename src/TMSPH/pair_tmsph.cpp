@@ -255,7 +255,7 @@ template <int D> void PairTMSPH::update_velocities()
                                  : atom->v[i];
     std::copy_n(v, D, force_row.data() + (size_t) i * R::FORCE + R::V);
   }
-  stepped = !minimizing && !update->setupflag;
+  stepped = !minimizing;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -112,7 +112,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   double stable_dt, intact_dt;    // now, and before bonds broke
   bool reported;
 
-  bool stepped;                                   // the rows hold the velocities of a step
+  bool stepped;                                   // the rows hold the velocities of a step or setup
   int prepared_version;                           // layout that the arrays below belong to
   std::vector<double> kinematic, force_row;       // [nlocal+nghost][Rows::...]
   std::vector<double> stress, gradient;
