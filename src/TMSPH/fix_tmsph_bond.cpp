@@ -21,6 +21,10 @@
 #include <cstring>
 #include <unordered_map>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using TMSPH::WIDTH;
@@ -216,6 +220,9 @@ void FixTMSPHBond::release_list()
     for (int t = 0; t < comm->nthreads; t++)
       list->ipage[t].init(neighbor->oneatom, neighbor->pgsize);
   }
+#if defined(__GLIBC__)
+  malloc_trim(0);    // glibc would keep the pages for itself, in pieces that nothing fits into
+#endif
   list = nullptr;
 }
 

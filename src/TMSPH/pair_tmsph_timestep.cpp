@@ -45,15 +45,12 @@ template <int D> double PairTMSPH::stable_timestep_in()
   const int nlocal = atom->nlocal;
   if (prepared_version != bond_fix->layout_version()) prepare<D>();
 
-  std::vector<double> trial(3 * (size_t) nlocal), at_rest(trial.size()), pushed(trial.size());
+  std::vector<double> trial(D * (size_t) nlocal), at_rest(trial.size()), pushed(trial.size());
   // the velocities that the last step took may be wanted yet
 
-  std::vector<double> velocities;
-  if (on.viscosity)
-    for (int i = 0; i < nlocal; i++) {
-      const double *v = force_row.data() + (size_t) i * R::FORCE + R::V;
-      velocities.insert(velocities.end(), v, v + D);
-    }
+  std::vector<double> velocities(on.viscosity ? (size_t) D * nlocal : 0);
+  for (size_t i = 0; i < velocities.size() / D; i++)
+    std::copy_n(force_row.data() + i * R::FORCE + R::V, D, velocities.data() + D * i);
   const double step = 1.0e-6 * cutoff;
   const Material &first = materials[1];
   double dt = cutoff / std::sqrt(first.elastic.wave_modulus / first.density);    // to begin with
@@ -66,7 +63,7 @@ template <int D> double PairTMSPH::stable_timestep_in()
     update_kinematics<D>();
     for (int i = 0; i < nlocal; i++)
       for (int k = 0; k < D; k++) {
-        const double p = push * trial[3 * (size_t) i + k];
+        const double p = push * trial[D * (size_t) i + k];
         kinematic[(size_t) i * R::KINEMATIC + R::U + k] += p;
         force_row[(size_t) i * R::FORCE + R::V + k] = 2.0 / dt * p;
       }
@@ -76,12 +73,13 @@ template <int D> double PairTMSPH::stable_timestep_in()
     gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
     send(FORCE_ROWS);
     f.assign(trial.size(), 0.0);
-    force_sweep<D>(on, slices(), linear, kinematic.data(), force_row.data(), f.data());
+    force_sweep<D>(on, slices(), linear, kinematic.data(), force_row.data(), f.data(),
+                   D);
   };
 
   for (int i = 0; i < nlocal; i++)
-    for (int k = 0; k < 3; k++)
-      trial[3 * (size_t) i + k] = k < D ? uniform_random(atom->tag[i], 7919, k) - 0.5 : 0.0;
+    for (int k = 0; k < D; k++)
+      trial[D * (size_t) i + k] = uniform_random(atom->tag[i], 7919, k) - 0.5;
   forces(0.0, at_rest);
   for (int iteration = 0; iteration < ITERATIONS; iteration++) {
     // one scale for all: the largest trial component is 1
@@ -97,7 +95,7 @@ template <int D> double PairTMSPH::stable_timestep_in()
     double product[2] = {0.0, 0.0}, sum[2];    // p.A p and p.M p, A = dt^2/4 K + dt/2 C
     for (int i = 0; i < nlocal; i++)
       for (int k = 0; k < D; k++) {
-        const size_t at = 3 * (size_t) i + k;
+        const size_t at = D * (size_t) i + k;
         const double Ap = 0.25 * dt * dt * (at_rest[at] - pushed[at]) / step;
         product[0] += trial[at] * Ap;
         product[1] += trial[at] * trial[at] * atom->rmass[i];

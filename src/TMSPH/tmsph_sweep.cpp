@@ -157,7 +157,7 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
 
 template <int D, bool THERMAL, bool HOURGLASS, bool VISCOUS, bool VIRIAL>
 void force(const Slices &bonds, const Viscosity &viscosity, const double *kinematic,
-           const double *force_row, double *out, double *sum)
+           const double *force_row, double *out, int stride, double *sum)
 {
   using R = Rows<D>;
   // without hourglass and viscosity 2-D needs B only: half the row
@@ -232,13 +232,13 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
     for (int l = 0; l < bonds.valid[q]; l++) {
       const size_t i = particle[l];
       if constexpr (VIRIAL) {
-        for (double *v : {out ? out + 6 * i : nullptr, sum}) {
+        for (double *v : {out ? out + stride * i : nullptr, sum}) {
           if (!v) continue;
           for (int k = 0; k < D; k++) v[k] += 0.5 * work[k][l];
           for (int k = 0; k < D * (D - 1) / 2; k++) v[3 + k] += 0.5 * work[D + k][l];
         }
       } else
-        for (int k = 0; k < D; k++) out[3 * i + k] += total[k][l];
+        for (int k = 0; k < D; k++) out[stride * i + k] += total[k][l];
     }
   }
 }
@@ -327,11 +327,11 @@ void gradient_sweep(const Features &on, const Slices &bonds, int first_slice, in
 
 template <int D>
 void force_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
-                 const double *kinematic, const double *force_row, double *f)
+                 const double *kinematic, const double *force_row, double *f, int stride)
 {
   with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
     force<D, thermal(), hourglass(), viscous(), false>(bonds, viscosity, kinematic, force_row, f,
-                                                       nullptr);
+                                                       stride, nullptr);
   });
 }
 
@@ -341,7 +341,7 @@ void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &visc
 {
   with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
     force<D, thermal(), hourglass(), viscous(), true>(bonds, viscosity, kinematic, force_row,
-                                                      virial, total);
+                                                      virial, 6, total);
   });
 }
 
@@ -361,9 +361,9 @@ template void gradient_sweep<2>(const Features &, const Slices &, int, int, cons
 template void gradient_sweep<3>(const Features &, const Slices &, int, int, const double *,
                                 const GradientOutput &);
 template void force_sweep<2>(const Features &, const Slices &, const Viscosity &, const double *,
-                             const double *, double *);
+                             const double *, double *, int);
 template void force_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
-                             const double *, double *);
+                             const double *, double *, int);
 template void virial_sweep<2>(const Features &, const Slices &, const Viscosity &, const double *,
                              const double *, double *, double *);
 template void virial_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,

@@ -119,10 +119,10 @@ struct Viscosity {
   double alpha1 = 0.0, alpha2 = 0.0, smoothing_length = 0.0, kappa = 1.0;
 };
 
-/** Adds the forces to f (stride 3). */
+/** Adds the forces to f[stride*particle]. */
 template <int D>
 void force_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
-                 const double *kinematic, const double *force_row, double *f);
+                 const double *kinematic, const double *force_row, double *f, int stride = 3);
 
 /** Adds each particle's half of -sum x_ij f_ij (xx yy zz xy xz yz) to virial[particle][6], where that
     is not nullptr, and all of them to total[6], where that is not. A sweep of its own: were it done along with the forces, the compiler would round those differently, and

@@ -5,6 +5,10 @@ strengths, lengths and number of the radial cracks, the circumferential crack, a
 that nothing flies apart or passes through another. Paths depend on the draw: what is
 tested are temperatures and counts.
 
+Not a part of ./tmsph test: it takes one to two minutes, and not all of its bars are reached
+yet. Run it with
+    TMSPH_LMP=$(./tmsph where) /usr/bin/python3 unittest/verification/disc_cracks.py
+
 A particle is in a crack when a quarter of its bonds is broken: a straight crack takes
 two fifths of the bonds of the particles along it. Cracks are clusters of such particles
 in the matrix, nearer than 1.8 spacings (the second neighbors). A main crack crosses the
