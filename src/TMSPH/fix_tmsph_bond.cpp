@@ -35,7 +35,7 @@ FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), first_tag(nullptr),
     lag(nullptr), running(false), horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0},
-    natoms_at_setup(0), version(0), what_to_send(REFERENCE)
+    natoms_at_setup(0), version(0), nremoved(0), what_to_send(REFERENCE)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
     error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
@@ -171,7 +171,8 @@ void FixTMSPHBond::form()
   const auto family = [&](int i, const auto &take) {
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      if (!user->bonded(atom->type[i], atom->type[j])) continue;
+      const bool bond = user->bonded(atom->type[i], atom->type[j]);
+      if (!bond && !user->touching(atom->type[i], atom->type[j])) continue;
       double X[3];
       reference_vector(i, j, X);
       const double R2 = X[0] * X[0] + X[1] * X[1] + X[2] * X[2];
@@ -181,25 +182,29 @@ void FixTMSPHBond::form()
                    "Particles {} and {} stand on the same place: remove one, for instance with "
                    "delete_atoms overlap",
                    atom->tag[i], atom->tag[j]);
-      take(atom->tag[j]);
+      take(atom->tag[j], bond ? INTACT : UNBONDED);
     }
   };
   int longest = 1, longest_of_all;
   for (int ii = 0; ii < list->inum; ii++) {
     int count = 0;
-    family(list->ilist[ii], [&](tagint) { count++; });
+    family(list->ilist[ii], [&](tagint, State) { count++; });
     longest = std::max(longest, count);
   }
   MPI_Allreduce(&longest, &longest_of_all, 1, MPI_INT, MPI_MAX, world);
   resize_partners(longest_of_all);
+  std::vector<std::pair<tagint, State>> members;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    npartner[i] = 0;
-    family(i, [&](tagint id) { partner[i][npartner[i]++] = id; });
+    members.clear();
+    family(i, [&](tagint id, State kind) { members.emplace_back(id, kind); });
     // in a short periodic box the list also has images beyond the nearest
-    std::sort(partner[i], partner[i] + npartner[i]);
-    npartner[i] = std::unique(partner[i], partner[i] + npartner[i]) - partner[i];
-    std::fill(state[i], state[i] + npartner[i], (unsigned char) INTACT);
+    std::sort(members.begin(), members.end());
+    npartner[i] = std::unique(members.begin(), members.end()) - members.begin();
+    for (int k = 0; k < npartner[i]; k++) {
+      partner[i][k] = members[k].first;
+      state[i][k] = members[k].second;
+    }
     own_tag[i] = first_tag[i] = atom->tag[i];
     atom->damage[i] = 0.0;
   }
@@ -233,7 +238,7 @@ void FixTMSPHBond::release_list()
 void FixTMSPHBond::check_families() const
 {
   bigint few = 0, all;
-  for (int i = 0; i < atom->nlocal; i++) few += npartner[i] < domain->dimension;
+  for (int i = 0; i < atom->nlocal; i++) few += count_formed(i) < domain->dimension;
   MPI_Allreduce(&few, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all > atom->natoms / 2)
     error->all(FLERR,
@@ -402,6 +407,7 @@ double FixTMSPHBond::largest_kappa() const
   for (int i = 0; i < atom->nlocal; i++) {
     double trace = 0.0, X[3];
     for (int k = 0; k < npartner[i]; k++) {
+      if (state[i][k] == UNBONDED) continue;
       const int j = partner_index(i, k);
       reference_vector(i, j, X);
       for (int c = 0; c < dimension; c++) trace += weight(i, j) * X[c] * X[c];
@@ -480,6 +486,7 @@ bool FixTMSPHBond::joined(int i, tagint id) const
 void FixTMSPHBond::remove_bond(int i, int k, State why)
 {
   state[i][k] = why;
+  nremoved++;
   slices.weight[slices.at(i / WIDTH, i % WIDTH, k)] = 0.0f;
 }
 
@@ -489,7 +496,15 @@ void FixTMSPHBond::update_damage(int i)
 {
   int broken = 0;
   for (int k = 0; k < npartner[i]; k++) broken += state[i][k] == BROKEN;
-  atom->damage[i] = npartner[i] ? (double) broken / npartner[i] : 0.0;
+  const int formed = count_formed(i);
+  atom->damage[i] = formed ? (double) broken / formed : 0.0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHBond::count_formed(int i) const
+{
+  return npartner[i] - std::count(state[i], state[i] + npartner[i], (unsigned char) UNBONDED);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -509,8 +524,8 @@ std::pair<int, int> FixTMSPHBond::family_sizes() const
 {
   int mine[2] = {-MAXSMALLINT, 0}, all[2];    // minus the smallest, the largest
   for (int i = 0; i < atom->nlocal; i++) {
-    mine[0] = std::max(mine[0], -npartner[i]);
-    mine[1] = std::max(mine[1], npartner[i]);
+    mine[0] = std::max(mine[0], -count_formed(i));
+    mine[1] = std::max(mine[1], count_formed(i));
   }
   MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
   return {-all[0], all[1]};

@@ -30,6 +30,8 @@ struct TMSPHBondUser {
   virtual TMSPH::Kernel kernel_of_bonds() const = 0;
   virtual double horizon() const = 0;
   virtual bool bonded(int itype, int jtype) const = 0;
+  /// true if two types without bonds may touch: pairs within the horizon are kept as UNBONDED
+  virtual bool touching(int itype, int jtype) const = 0;
   /// gives local and ghost particles their masses and temperatures before the bonds form
   virtual void complete_particles() = 0;
   /// true if forces depend on velocities
@@ -46,7 +48,8 @@ struct TMSPHBondUser {
 class FixTMSPHBond : public Fix {
  public:
   static constexpr const char *ID = "TMSPH_BOND";
-  enum State : unsigned char { INTACT = 0, BROKEN = 1, CUT = 2 };
+  /// UNBONDED: never was a bond, but the two may be in contact
+  enum State : unsigned char { INTACT = 0, BROKEN = 1, CUT = 2, UNBONDED = 3 };
 
   FixTMSPHBond(class LAMMPS *, int, char **);
   ~FixTMSPHBond() override;
@@ -76,6 +79,8 @@ class FixTMSPHBond : public Fix {
 
   bool formed() const { return bonds_formed; }
   int count(int i) const { return npartner[i]; }
+  /// bonds of local particle i when they formed
+  int count_formed(int i) const;
   tagint partner_tag(int i, int k) const { return partner[i][k]; }
   State bond_state(int i, int k) const { return (State) state[i][k]; }
   /// id that local particle i had when the bonds formed; reset_atoms does not change it
@@ -104,6 +109,8 @@ class FixTMSPHBond : public Fix {
   /// fewest and most bonds of a particle, on all processors
   std::pair<int, int> family_sizes() const;
   int layout_version() const { return version; }
+  /// grows whenever a bond of a local particle is removed
+  int removals() const { return nremoved; }
   const TMSPH::Slices &layout() const { return slices; }
   TMSPH::Slices &layout() { return slices; }
   /// W_ij = V_i V_j w_ij
@@ -130,7 +137,7 @@ class FixTMSPHBond : public Fix {
   double kappa;
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
-  int version;
+  int version, nremoved;
 
   std::vector<double> xref;     // [nlocal+nghost][3]
   TMSPH::Slices slices;

@@ -57,9 +57,14 @@ template <int D> void PairTMSPH::evaluate()
     out.stress = stress.data();
     out.inverted_breaks = true;
   }
+  if (contact) {
+    gradient.resize((size_t) D * D * nlocal);
+    out.gradient = gradient.data();
+  }
   gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
   if (inverted >= 0) stop_inverted(inverted);
   if (testing) test_bonds<D>();
+  if (contact) add_couples<D>();
   send(FORCE_ROWS);
 
   force_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), atom->f[0]);
@@ -287,6 +292,7 @@ template <int D> void PairTMSPH::own_side_stress(bool inverted_breaks)
 template <int D> void PairTMSPH::test_bonds()
 {
   own_side_stress<D>(true);
+  if (contact) contact->add_stress(stress.data());
   send(STRESS);
   touched.clear();
   break_test->break_bonds(stress.data(), touched);
@@ -294,6 +300,7 @@ template <int D> void PairTMSPH::test_bonds()
   std::sort(touched.begin(), touched.end());
   GradientOutput out;
   out.force_row = force_row.data();
+  if (contact) out.gradient = gradient.data();
   int last_slice = -1;
   for (int i : touched) {
     update_shape<D>(slices(), i / WIDTH, i % WIDTH);
@@ -305,6 +312,45 @@ template <int D> void PairTMSPH::test_bonds()
     if (q != last_slice) gradient_sweep<D>(on, slices(), q, q + 1, kinematic.data(), out);
     last_slice = q;
   }
+}
+
+/* ----------------------------------------------------------------------
+   A stress P with P F^T = eps.c/(2V), skew, exerts the torque c on the neighborhood of its
+   particle and no force: sum_j x_ij x f_ij = -V eps:(F P^T).
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::add_couples()
+{
+  const Slices &all = slices();
+  for (const Contact::Couple &couple : contact->couples()) {
+    const int i = couple.i;
+    const double *own =
+        all.own.data() + (size_t) (i / WIDTH) * CONSTANTS<D> * WIDTH + i % WIDTH;
+    Matrix<D, double> inverse, skew, H;
+    for (int a = 0, entry = 0; a < D; a++)
+      for (int b = a; b < D; b++) inverse[a][b] = inverse[b][a] = own[WIDTH * entry++];
+    const double *c = couple.axial;
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) {
+        skew[a][b] = a == b ? 0.0 : 0.5 * ((b - a + 3) % 3 == 1 ? c[3 - a - b] : -c[3 - a - b]);
+        H[a][b] = gradient[(size_t) D * D * i + D * a + b];
+      }
+    const Matrix<D, double> F = deformation(H);
+    const Matrix<D, double> B = product(product(skew, cofactor(F)), inverse);
+    const double J = determinant(F);
+    if (!(J > 0.0)) continue;
+    double *row = force_row.data() + (size_t) i * Rows<D>::FORCE + Rows<D>::B;
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) row[D * a + b] += B[a][b] / J;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PairTMSPH::thermal_strain(int i) const
+{
+  const Material &m = materials[atom->type[i]];
+  return m.elastic.expansion * (atom->temperature[i] - m.reference_temperature);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -322,6 +368,7 @@ PairTMSPH::Fields PairTMSPH::fields()
     out.gradient = gradient.data();
     gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
     own_side_stress<D>(false);
+    if (contact) contact->add_stress(stress.data());
   };
   if (domain->dimension == 2)
     fill(std::integral_constant<int, 2>());

@@ -42,6 +42,25 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
     ~BreakTest() = default;    // owned as a fix, never through this interface
   };
 
+  /** What a fix for contact of surfaces offers: it acts after the bonds, on the next step also
+      through them. */
+  struct Contact {
+    /// a torque that the bonds of local particle i shall exert: what its contacts lack in balance
+    struct Couple {
+      int i;
+      double axial[3];
+    };
+    /// true if particles of these types, which are not bonded, may touch
+    virtual bool touching(int itype, int jtype) const = 0;
+    /// couples of the force evaluation that goes on
+    virtual const std::vector<Couple> &couples() = 0;
+    /// adds the share of contact to the Cauchy stress rows of local particles
+    virtual void add_stress(double *stress) = 0;
+
+   protected:
+    ~Contact() = default;    // owned as a fix, never through this interface
+  };
+
   struct Material {
     double density = 0.0, reference_temperature = 0.0, expansion = 0.0;
     double young = 0.0, poisson = 0.0;
@@ -66,6 +85,10 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   TMSPH::Kernel kernel_of_bonds() const override { return kernel; }
   double horizon() const override { return cutoff; }
   bool bonded(int itype, int jtype) const override { return are_bonded[itype][jtype]; }
+  bool touching(int itype, int jtype) const override
+  {
+    return contact && contact->touching(itype, jtype);
+  }
   void complete_particles() override;
   bool viscous() const override { return on.viscosity; }
   const double *step_velocity(int i) const override;
@@ -75,6 +98,12 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   /// number of stress components per particle in fields(): xx yy xy, or xx yy zz xy xz yz
   int stress_size() const;
   void set_break_test(BreakTest *test) { break_test = test; }
+  bool bonds_may_break() const { return break_test != nullptr; }
+  void set_contact(Contact *given) { contact = given; }
+  /// F - I of the local particles in the last force evaluation, [nlocal][dimension*dimension];
+  /// only with a contact set
+  const double *step_gradient() const { return gradient.data(); }
+  double thermal_strain(int i) const;
   FixTMSPHBond *bonds() const { return bond_fix; }
 
   /** Own-side Cauchy stress and displacement gradient of the local particles in their present
@@ -103,6 +132,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   std::vector<std::vector<char>> are_bonded;      // by type and type
   FixTMSPHBond *bond_fix;
   BreakTest *break_test;
+  Contact *contact;
 
   int coefficients;                               // grows with pair_style and pair_coeff
 
@@ -133,6 +163,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   template <int D> void evaluate();
   template <int D> void test_bonds();
   template <int D> void own_side_stress(bool inverted_breaks);
+  template <int D> void add_couples();
   void stop_inverted(int);
   void stop_thermal();
   template <int D> double stable_timestep_in();

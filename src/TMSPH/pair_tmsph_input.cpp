@@ -32,7 +32,7 @@ static constexpr double MAX_POISSON = 0.45;
 
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
-    thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr),
+    thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr), contact(nullptr),
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0), stable_dt(0.0),
     intact_dt(0.0), reported(false), stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
 {
@@ -257,7 +257,8 @@ void PairTMSPH::init_style()
   viscosity.smoothing_length = cutoff / support_in_smoothing_lengths(kernel);
   comm_forward = domain->dimension == 2 ? Rows<2>::FORCE : Rows<3>::FORCE;    // the longest
   prepared_version = -1;
-  break_test = nullptr;    // a fix that breaks bonds says so again in its own init()
+  break_test = nullptr;    // fixes that break bonds or let surfaces touch say so again in their init()
+  contact = nullptr;
 
   bond_fix = dynamic_cast<FixTMSPHBond *>(modify->get_fix_by_id(FixTMSPHBond::ID));
   if (!bond_fix)

@@ -1,0 +1,320 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Forces of fix tmsph/contact. The law is in tmsph_contact_pair.h.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_contact.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "tmsph_fingerprint.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+// what a step tells of each particle: F - I, velocity, acceleration, compliance Kc/m
+
+template <int D> struct ContactRow {
+  static constexpr int H = 0, V = D * D, A = V + D, COMPLIANCE = A + D, WIDTH = COMPLIANCE + 1;
+};
+
+/* ---------------------------------------------------------------------- */
+
+bool FixTMSPHContact::touching(int, int) const
+{
+  return true;
+}
+
+/* ----------------------------------------------------------------------
+   a continued run repeats the forces of its last step: at a setup velocities
+   are those of the full step, and the law took those of half a step before
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::setup_pre_force(int)
+{
+  int same = 1, all_same;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const auto found = memories.find(atom->tag[i]);
+    if (found == memories.end()) continue;
+    if (found->second.stamp != fingerprint(atom->x[i], atom->v[i])) same = 0;
+  }
+  MPI_Allreduce(&same, &all_same, 1, MPI_INT, MPI_MIN, world);
+  resumed = all_same;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::post_run()
+{
+  stamp();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::stamp()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    const auto found = memories.find(atom->tag[i]);
+    if (found != memories.end()) found->second.stamp = fingerprint(atom->x[i], atom->v[i]);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::setup(int vflag)
+{
+  v_init(vflag);
+  follow(true);
+  if (domain->dimension == 2)
+    resumed ? apply_again<2>() : evaluate<2>(0.0);
+  else
+    resumed ? apply_again<3>() : evaluate<3>(0.0);
+  add_virial();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::post_force(int vflag)
+{
+  v_init(vflag);
+  follow(true);
+  if (domain->dimension == 2)
+    evaluate<2>(update->dt);
+  else
+    evaluate<3>(update->dt);
+  add_virial();
+}
+
+/* ----------------------------------------------------------------------
+   equilibrium is looked for: nothing moves, so nothing is predicted
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::min_setup(int vflag)
+{
+  min_post_force(vflag);
+}
+
+void FixTMSPHContact::min_post_force(int vflag)
+{
+  resumed = false;
+  v_init(vflag);
+  follow(true);
+  if (domain->dimension == 2)
+    evaluate<2>(0.0);
+  else
+    evaluate<3>(0.0);
+  add_virial();
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void FixTMSPHContact::apply_again()
+{
+  for (const Member &m : members)
+    for (int a = 0; a < D; a++) atom->f[m.i][a] += m.memory->force[a];
+}
+
+/* ----------------------------------------------------------------------
+   Two passes over the pairs: which are active and how stiff all contacts of a
+   particle are together, then the forces. Each end finds its own force, in the
+   order of the partners' ids.
+------------------------------------------------------------------------- */
+
+template <int D> void FixTMSPHContact::evaluate(double dt)
+{
+  using Row = ContactRow<D>;
+  std::fill(totals, totals + NTOTALS, 0.0);
+  energy = 0.0;
+  if (!any_pairs) return;
+
+  width = Row::WIDTH;
+  rows.resize((size_t) width * (atom->nlocal + atom->nghost));
+  const double *gradient = pair->step_gradient();
+  for (const Member &m : members) {
+    double *row = rows.data() + (size_t) width * m.i;
+    std::copy_n(gradient + (size_t) D * D * m.i, D * D, row + Row::H);
+    for (int a = 0; a < D; a++) {
+      row[Row::V + a] = dt > 0.0 ? atom->v[m.i][a] : 0.0;
+      row[Row::A + a] = dt > 0.0 ? atom->f[m.i][a] / atom->rmass[m.i] : 0.0;
+    }
+    row[Row::COMPLIANCE] = 0.0;
+  }
+  send(0, Row::COMPLIANCE);
+
+  const Kernel kernel = pair->kernel_of_bonds();
+  const double horizon = pair->horizon();
+  const auto at = [&](int p) {
+    const double *row = rows.data() + (size_t) width * p;
+    return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
+                         pair->thermal_strain(p)};
+  };
+  const auto state = [&](const End &e) {
+    const ContactEnd<D> mine = at(e.i), his = at(e.j);
+    return contact_state<D>(e.pair, e.low ? mine : his, e.low ? his : mine, e.record->moved, kernel,
+                            horizon, dt);
+  };
+
+  std::vector<ContactState<D>> states;
+  states.reserve(ends.size());
+  for (const Member &m : members) {
+    double stiffness = 0.0;
+    for (int n = m.first; n < m.last; n++) {
+      states.push_back(state(ends[n]));
+      if (states[n].predicted > 0.0) stiffness += states[n].stiffness;
+    }
+    rows[(size_t) width * m.i + Row::COMPLIANCE] = stiffness / atom->rmass[m.i];
+  }
+  send(Row::COMPLIANCE, 1);
+
+  for (const Member &m : members) {
+    Memory &memory = *m.memory;
+    double force[3] = {}, stress[6] = {}, couple[3] = {};
+    for (int n = m.first; n < m.last; n++) {
+      End &e = ends[n];
+      const ContactState<D> &s = states[n];
+      const double mine = rows[(size_t) width * m.i + Row::COMPLIANCE];
+      const double his = rows[(size_t) width * e.j + Row::COMPLIANCE];
+      double f[3] = {}, heat = 0.0;
+      const double normal =
+          contact_force<D>(e.pair, s, dt * dt * (mine + his), f, e.record->moved, heat);
+      const double sign = e.low ? -1.0 : 1.0, share = e.low ? e.pair.share : 1.0 - e.pair.share;
+      double r[3] = {};
+      std::copy_n(s.r, D, r);
+      for (int a = 0; a < 3; a++) {
+        force[a] += sign * f[a];
+        couple[a] -= share * (r[(a + 1) % 3] * f[(a + 2) % 3] - r[(a + 2) % 3] * f[(a + 1) % 3]);
+        stress[a] -= 0.5 * f[a] * r[a];
+        stress[3 + a] -= 0.25 * (a < 2 ? f[0] * r[a + 1] + f[a + 1] * r[0]
+                                       : f[1] * r[2] + f[2] * r[1]);
+      }
+      totals[WORK] += 0.5 * heat;
+      if (normal > 0.0 && e.low) {
+        totals[TOUCHING] += 1.0;
+        totals[NORMAL] += normal;
+        energy += 0.5 * normal * normal / s.stiffness;
+      }
+      totals[DEEPEST] = std::max(totals[DEEPEST], s.penetration);
+      if (atom->type[e.i] < atom->type[e.j])
+        for (int a = 0; a < 3; a++) {
+          const double *x = atom->x[e.i];
+          const int b = (a + 1) % 3, c = (a + 2) % 3;
+          totals[FORCE + a] += sign * f[a];
+          totals[TORQUE + a] += sign * (x[b] * f[c] - x[c] * f[b]);
+        }
+    }
+    const double volume = atom->vfrac[m.i];
+    for (int a = 0; a < D; a++) atom->f[m.i][a] += force[a];
+    std::copy_n(force, 3, memory.force);
+    for (int k = 0; k < 6; k++) memory.stress[k] = stress[k] / volume;
+    std::copy_n(memory.couple, 3, memory.couple_before);
+    std::copy_n(couple, 3, memory.couple);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::add_virial()
+{
+  if (!vflag_global && !vflag_atom) return;
+  for (const Member &m : members)
+    for (int k = 0; k < 6; k++) {
+      const double v = -atom->vfrac[m.i] * m.memory->stress[k];
+      if (vflag_global) virial[k] += v;
+      if (vflag_atom) vatom[m.i][k] += v;
+    }
+}
+
+/* ----------------------------------------------------------------------
+   Pair forces off the line of centres turn a pair. The bonds of both ends
+   balance that on the next step; in a repeated one as they did then.
+------------------------------------------------------------------------- */
+
+const std::vector<PairTMSPH::Contact::Couple> &FixTMSPHContact::couples()
+{
+  follow(false);
+  couple_list.clear();
+  if (update->whichflag == 2 || (update->setupflag && !resumed)) return couple_list;
+  for (const Member &m : members) {
+    const double *c = update->setupflag ? m.memory->couple_before : m.memory->couple;
+    couple_list.push_back({m.i, {c[0], c[1], c[2]}});
+  }
+  return couple_list;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::add_stress(double *stress)
+{
+  follow(false);
+  const int size = pair->stress_size();
+  for (const Member &m : members) {
+    double *row = stress + (size_t) size * m.i;
+    const double *mine = m.memory->stress;
+    if (size == 3) {
+      row[0] += mine[0];
+      row[1] += mine[1];
+      row[2] += mine[3];
+    } else
+      for (int k = 0; k < 6; k++) row[k] += mine[k];
+  }
+}
+
+/* ----------------------------------------------------------------------
+   columns first to first+count of all rows, from owners to ghosts
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::send(int first, int count)
+{
+  sent_first = first;
+  sent_count = comm_forward = count;
+  comm->forward_comm(this);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHContact::pack_forward_comm(int n, int *list, double *buf, int, int *)
+{
+  for (int i = 0; i < n; i++)
+    buf = std::copy_n(rows.data() + (size_t) width * list[i] + sent_first, sent_count, buf);
+  return n * sent_count;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::unpack_forward_comm(int n, int first, double *buf)
+{
+  for (int i = 0; i < n; i++)
+    std::copy_n(buf + (size_t) sent_count * i, sent_count,
+                rows.data() + (size_t) width * (first + i) + sent_first);
+}
+
+/* ----------------------------------------------------------------------
+   energy stored in the contacts
+------------------------------------------------------------------------- */
+
+double FixTMSPHContact::compute_scalar()
+{
+  double all;
+  MPI_Allreduce(&energy, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* ----------------------------------------------------------------------
+   1-3 force on the bodies of the lower type, 4-6 torque on them about the
+   origin, 7 frictional work of this step, 8 pairs that touch, 9 deepest penetration,
+   10 sum of the normal forces
+------------------------------------------------------------------------- */
+
+double FixTMSPHContact::compute_vector(int n)
+{
+  double all;
+  MPI_Allreduce(&totals[n], &all, 1, MPI_DOUBLE, n == DEEPEST ? MPI_MAX : MPI_SUM, world);
+  return all;
+}

@@ -1,0 +1,121 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   fix tmsph/contact: contact with friction between bodies that are not bonded
+   and between the faces of cracks and cuts.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(tmsph/contact,FixTMSPHContact);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_TMSPH_CONTACT_H
+#define LMP_FIX_TMSPH_CONTACT_H
+
+#include "fix.h"
+#include "pair_tmsph.h"
+#include "tmsph_contact_pair.h"
+
+#include <cstdint>
+#include <unordered_map>
+
+namespace LAMMPS_NS {
+
+class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
+ public:
+  FixTMSPHContact(class LAMMPS *, int, char **);
+  ~FixTMSPHContact() override;
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void min_setup(int) override;
+  void post_force(int) override;
+  void min_post_force(int) override;
+  void post_run() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+
+  bool touching(int itype, int jtype) const override;
+  const std::vector<Couple> &couples() override;
+  void add_stress(double *stress) override;
+
+ private:
+  /** What a pair remembers, at both ends: the movement of its friction origin against the one
+      that the reference positions give. */
+  struct Record {
+    tagint partner;
+    double moved[2];
+  };
+  /** What a particle with contacts remembers of its last step. */
+  struct Memory {
+    double force[3] = {}, stress[6] = {};               // by contact; stress: share of the Cauchy stress
+    double couple[3] = {}, couple_before[3] = {};    // for the next step, and of the last
+    std::uint64_t stamp = 0;                         // fingerprint at the end of the run
+    std::vector<Record> records;                     // ascending partners
+  };
+  /** One end of a pair, at a local particle. */
+  struct End {
+    int i, j;
+    bool low;    // i has the lower id
+    TMSPH::ContactPair pair;
+    Record *record;
+  };
+  struct Member {
+    int i, first, last;    // local particle, its ends
+    Memory *memory;
+  };
+
+  PairTMSPH *pair;
+  FixTMSPHBond *bonds;
+  bool self;                                 // faces of cracks and cuts touch too
+  double stiffness;                          // factor to the default
+  std::vector<std::vector<double>> friction;    // by type and type
+
+  std::unordered_map<tagint, Memory> memories;    // by id
+  std::vector<Member> members;
+  std::vector<End> ends;
+  std::vector<Couple> couple_list;
+  bool any_pairs;                            // on any processor
+  bool resumed;                              // the setup takes the forces of the last step again
+  int version, removals;                     // of the bonds when the pairs were listed
+
+  std::vector<double> rows;                  // [nlocal+nghost][width], sent to ghosts
+  int width, sent_first, sent_count;
+
+  enum { FORCE = 0, TORQUE = 3, WORK = 6, TOUCHING, DEEPEST, NORMAL, NTOTALS };
+  double totals[NTOTALS];                    // of this processor
+  double energy;
+
+  void parse(int, char **);
+  void refuse_later_forces() const;
+  void follow(bool after_breaks);
+  void list_pairs();
+  bool counts(int state) const;
+  template <int D> void fit_pairs();
+  template <int D> void evaluate(double dt);
+  template <int D> void apply_again();
+  void add_virial();
+  void stamp();
+  void send(int first, int count);
+  static int exchange_size(int nrecords);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,221 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Which pairs are in contact, and the surfaces between them.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_contact.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "tmsph_plane_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+// pairs that are shorter than this many particle spacings mark the surface between them
+
+static constexpr double SHORT = 1.6;
+
+// moment of inertia, in squared spacings, that marks need to overrule the direction of a bond
+
+static constexpr double SCATTER = 0.1;
+
+/* ----------------------------------------------------------------------
+   the pairs are listed again after an exchange of particles and when bonds
+   have gone; the latter may happen in the midst of a force evaluation
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::follow(bool after_breaks)
+{
+  int changed = version != bonds->layout_version();    // the same on all processors
+  if (!changed && after_breaks && self && pair->bonds_may_break()) {
+    const int mine = removals != bonds->removals();
+    MPI_Allreduce(&mine, &changed, 1, MPI_INT, MPI_MAX, world);
+  }
+  if (!changed) return;
+  version = bonds->layout_version();
+  removals = bonds->removals();
+  list_pairs();
+  if (!any_pairs) return;
+  if (domain->dimension == 2)
+    fit_pairs<2>();
+  else
+    fit_pairs<3>();
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixTMSPHContact::counts(int state) const
+{
+  return state == FixTMSPHBond::UNBONDED || (self && state != FixTMSPHBond::INTACT);
+}
+
+/* ----------------------------------------------------------------------
+   what is remembered of pairs that are still there is kept
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::list_pairs()
+{
+  std::unordered_map<tagint, Memory> kept;
+  members.clear();
+  ends.clear();
+  int longest = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const int first = ends.size();
+    for (int k = 0; k < bonds->count(i); k++) {
+      if (!counts(bonds->bond_state(i, k))) continue;
+      const int j = bonds->partner_index(i, k);
+      if (j == i || !(atom->mask[j] & groupbit)) continue;
+      End e = {};
+      e.i = i;
+      e.j = j;
+      e.low = atom->tag[i] < atom->tag[j];
+      ends.push_back(e);
+    }
+    const int last = ends.size();
+    if (first == last) continue;
+    Memory &memory = kept[atom->tag[i]];
+    const auto found = memories.find(atom->tag[i]);
+    std::vector<Record> before;
+    if (found != memories.end()) {
+      memory = std::move(found->second);
+      before.swap(memory.records);
+    }
+    memory.records.reserve(last - first);
+    for (int n = first; n < last; n++) {
+      const tagint partner = atom->tag[ends[n].j];
+      const auto old = std::lower_bound(
+          before.begin(), before.end(), partner,
+          [](const Record &r, tagint id) { return r.partner < id; });
+      memory.records.push_back(old != before.end() && old->partner == partner
+                                   ? *old
+                                   : Record{partner, {0.0, 0.0}});
+    }
+    for (int n = first; n < last; n++) ends[n].record = &memory.records[n - first];
+    members.push_back({i, first, last, &memory});
+    longest = std::max(longest, last - first);
+  }
+  memories.swap(kept);
+  maxexchange = exchange_size(longest);
+
+  int mine = !ends.empty(), any;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  any_pairs = any;
+}
+
+/* ----------------------------------------------------------------------
+   The surface between two particles is the plane through the middles of the
+   short separated pairs around both. Those of body interfaces and of cracks
+   count apart: a crack that runs into an interface has another direction.
+------------------------------------------------------------------------- */
+
+template <int D> void FixTMSPHContact::fit_pairs()
+{
+  constexpr int SIZE = Moments<D>::SIZE;
+  const auto kind = [](int state) { return state == FixTMSPHBond::UNBONDED ? 0 : 1; };
+  const auto spacing = [this](int i) { return std::pow(atom->vfrac[i], 1.0 / D); };
+  const int nlocal = atom->nlocal;
+  width = 2 * SIZE;
+  rows.assign((size_t) width * (nlocal + atom->nghost), 0.0);
+  const auto row = [this](int i) { return rows.data() + (size_t) width * i; };
+
+  // marks of each particle, about itself
+
+  for (const Member &m : members) {
+    Moments<D> marks[2];
+    for (int k = 0; k < bonds->count(m.i); k++) {
+      const int state = bonds->bond_state(m.i, k), j = bonds->partner_index(m.i, k);
+      if (!counts(state) || j == m.i) continue;
+      double X[3], middle[D], R2 = 0.0;
+      bonds->reference_vector(m.i, j, X);
+      for (int a = 0; a < D; a++) {
+        R2 += X[a] * X[a];
+        middle[a] = 0.5 * X[a];
+      }
+      const double reach = 0.5 * SHORT * (spacing(m.i) + spacing(j));
+      if (R2 < reach * reach) marks[kind(state)].add_point(middle);
+    }
+    std::copy_n(marks[0].m, SIZE, row(m.i));
+    std::copy_n(marks[1].m, SIZE, row(m.i) + SIZE);
+  }
+  send(0, width);
+
+  // those around each particle: its own and its family's, in the order of ids
+
+  std::vector<double> around(members.size() * width);
+  for (size_t n = 0; n < members.size(); n++) {
+    const int i = members[n].i;
+    Moments<D> sum[2];
+    const auto add = [&](int j, const double *X) {
+      sum[0].add(row(j), X);
+      sum[1].add(row(j) + SIZE, X);
+    };
+    const double here[3] = {0.0, 0.0, 0.0};
+    add(i, here);
+    for (int k = 0; k < bonds->count(i); k++) {
+      const int j = bonds->partner_index(i, k);
+      double X[3];
+      if (j == i) continue;
+      bonds->reference_vector(i, j, X);
+      add(j, X);
+    }
+    std::copy_n(sum[0].m, SIZE, around.data() + n * width);
+    std::copy_n(sum[1].m, SIZE, around.data() + n * width + SIZE);
+  }
+  for (size_t n = 0; n < members.size(); n++)
+    std::copy_n(around.data() + n * width, width, row(members[n].i));
+  send(0, width);
+
+  const double kappa = bonds->interior_kappa();
+  for (End &e : ends) {
+    const int low = e.low ? e.i : e.j, high = e.low ? e.j : e.i;
+    double X[3], direction[D], R2 = 0.0;
+    bonds->reference_vector(low, high, X);
+    for (int a = 0; a < D; a++) R2 += X[a] * X[a];
+    for (int a = 0; a < D; a++) direction[a] = X[a] / std::sqrt(R2);
+    const tagint partner = atom->tag[e.j];
+    int k = 0;
+    while (bonds->partner_tag(e.i, k) != partner) k++;
+    const int which = kind(bonds->bond_state(e.i, k)) * SIZE;
+
+    Moments<D> marks;
+    std::copy_n(row(low) + which, SIZE, marks.m);
+    marks.add(row(high) + which, X);
+    const double size = 0.5 * (spacing(low) + spacing(high));
+    double normal[D], centre[D], depth = 0.0;
+    fit_plane<D>(marks, direction, SCATTER * size * size, normal, centre);
+
+    ContactPair &p = e.pair;
+    p.distance = 0.0;
+    for (int a = 0; a < D; a++) {
+      p.normal_low[a] = p.normal_high[a] = normal[a];
+      p.distance += normal[a] * X[a];
+      depth += normal[a] * centre[a];
+    }
+    p.share = marks.m[0] > 0.0 && p.distance > 0.0
+        ? std::min(1.0, std::max(0.0, depth / p.distance))
+        : 0.5;
+    static constexpr double REST[9] = {};
+    double tangent[D - 1][D];
+    tangents(normal, REST, normal, tangent);
+    for (int t = 0; t < D - 1; t++) {
+      p.origin[t] = 0.0;
+      for (int a = 0; a < D; a++) p.origin[t] += tangent[t][a] * X[a];
+    }
+
+    const Elastic &one = pair->material(atom->type[low]).elastic;
+    const Elastic &other = pair->material(atom->type[high]).elastic;
+    const auto mean = [](double a, double b) { return 2.0 * a * b / (a + b); };
+    const double modulus = mean(one.lambda + 2.0 * one.shear, other.lambda + 2.0 * other.shear);
+    p.shear_ratio = SHEAR_CLOSURE<D> / CLOSURE<D> * mean(one.shear, other.shear) / modulus;
+    p.stiffness = stiffness * CLOSURE<D> * 2.0 * modulus / kappa * atom->vfrac[low] *
+        atom->vfrac[high];
+    p.friction = friction[atom->type[low]][atom->type[high]];
+  }
+}

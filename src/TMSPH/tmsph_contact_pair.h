@@ -1,0 +1,176 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Kernel-weighted pair contact of two deformable surfaces: every pair of
+   particles across the interface within the horizon carries a share of it.
+   Weight and reference distance do not depend on the penetration; pairs fade
+   in and out as the surfaces slip.
+
+   All is oriented from the end with the lower id ("low") to the other
+   ("high"), so that both ends, on whatever processor, find the same numbers.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_TMSPH_CONTACT_PAIR_H
+#define LMP_TMSPH_CONTACT_PAIR_H
+
+#include "tmsph_contact_law.h"
+#include "tmsph_elastic.h"
+#include "tmsph_kernel.h"
+
+namespace TMSPH {
+
+/** k_n = CLOSURE 2 M V_i V_j w_ij/K0 and k_t = SHEAR_CLOSURE 2 G V_i V_j w_ij/K0, with the harmonic
+    means M of lambda + 2 mu and G of mu of both ends, make a closed cut as stiff as the intact body. Calibrated on flat cuts through square, hexagonal and cubic lattices at
+    several angles (unittest/verification/test_closed_cut.py). */
+template <int D> constexpr double CLOSURE = D == 2 ? 0.593 : 0.55;
+template <int D> constexpr double SHEAR_CLOSURE = D == 2 ? 0.69 : 0.67;
+
+/** What a pair keeps while it is in contact. */
+struct ContactPair {
+  double normal_low[3], normal_high[3];    ///< reference normals of the ends, both from low to high
+  double distance;         ///< D, of the two particles along the normal when the surfaces just touch
+  double origin[2];        ///< tangential coordinates of the high end in the reference
+  double share;            ///< depth of the low end below its surface/sum of both depths
+  double stiffness;        ///< k_n/w
+  double shear_ratio;      ///< k_t/k_n
+  double friction;         ///< coefficient
+};
+
+/** One end as a force evaluation finds it. */
+template <int D> struct ContactEnd {
+  const double *x, *v, *a;    ///< position, velocity, acceleration by all other forces
+  const double *H;            ///< F - I, row-major
+  double thermal;             ///< thermal strain
+};
+
+/** What a step makes of a pair before any contact has acted. */
+template <int D> struct ContactState {
+  double r[D], normal[D], tangent[D - 1][D];
+  double stiffness;               ///< k_n
+  double penetration;             ///< now
+  double predicted;               ///< at the end of the step; positive: active
+  double slip[D - 1];             ///< at the end of the step, from where friction is zero
+  double stretch;                 ///< 1 + thermal strain
+};
+
+/// direction of F^-T N, of unit length; N itself where F is inside out
+template <int D>
+inline void carried_normal(const double *H, const double *N, double *n)
+{
+  Matrix<D, double> F;
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) F[a][b] = H[a * D + b] + (a == b ? 1.0 : 0.0);
+  const Matrix<D, double> C = cofactor(F);
+  double square = 0.0, along = 0.0;
+  for (int a = 0; a < D; a++) {
+    n[a] = 0.0;
+    for (int b = 0; b < D; b++) n[a] += C[a][b] * N[b];
+    square += n[a] * n[a];
+  }
+  for (int a = 0; a < D; a++) along += F[a][0] * C[a][0];    // det F
+  const bool sound = square > 0.0 && along > 0.0;
+  const double scale = sound ? 1.0 / std::sqrt(square) : 1.0;
+  for (int a = 0; a < D; a++) n[a] = sound ? scale * n[a] : N[a];
+}
+
+/** Unit vectors in the plane across n. In 2-D n turned left; in 3-D they are carried along with the
+    material: the coordinate direction farthest from the reference normal N, moved by F, and
+    the one across it. */
+inline void tangents(const double *n, const double * /*H*/, const double * /*N*/,
+                     double (&t)[1][2])
+{
+  t[0][0] = -n[1];
+  t[0][1] = n[0];
+}
+
+inline void tangents(const double *n, const double *H, const double *N, double (&t)[2][3])
+{
+  int axis = 0;
+  for (int a = 1; a < 3; a++)
+    if (std::fabs(N[a]) < std::fabs(N[axis])) axis = a;
+  double e[3], along = 0.0, square = 0.0;
+  for (int a = 0; a < 3; a++) {
+    e[a] = H[3 * a + axis] + (a == axis ? 1.0 : 0.0);
+    along += n[a] * e[a];
+  }
+  for (int a = 0; a < 3; a++) {
+    e[a] -= along * n[a];
+    square += e[a] * e[a];
+  }
+  const double scale = 1.0 / std::sqrt(std::max(square, 1.0e-30));    // 0 only where F is absurd
+  for (int a = 0; a < 3; a++) t[0][a] = scale * e[a];
+  for (int a = 0; a < 3; a++)
+    t[1][a] = n[(a + 1) % 3] * t[0][(a + 2) % 3] - n[(a + 2) % 3] * t[0][(a + 1) % 3];
+}
+
+/** Geometry and prediction of one pair.
+    @param moved tangential coordinates where friction is zero, less the origin of the pair
+    @param dt    0: nothing is predicted, the state is as it is */
+template <int D>
+inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D> &low,
+                                     const ContactEnd<D> &high, const double *moved,
+                                     Kernel kernel, double horizon, double dt)
+{
+  ContactState<D> s;
+  double n_low[D], n_high[D], square = 0.0;
+  carried_normal<D>(low.H, pair.normal_low, n_low);
+  carried_normal<D>(high.H, pair.normal_high, n_high);
+  for (int a = 0; a < D; a++) {
+    s.normal[a] = n_low[a] + n_high[a];
+    square += s.normal[a] * s.normal[a];
+  }
+  for (int a = 0; a < D; a++)
+    s.normal[a] = square > 0.0 ? s.normal[a] / std::sqrt(square) : n_low[a];
+  tangents(s.normal, low.H, pair.normal_low, s.tangent);
+
+  double next[D], apart = 0.0, apart_next = 0.0;
+  for (int a = 0; a < D; a++) {
+    s.r[a] = high.x[a] - low.x[a];
+    next[a] = s.r[a] + dt * (high.v[a] - low.v[a]) + dt * dt * (high.a[a] - low.a[a]);
+    apart += s.normal[a] * s.r[a];
+    apart_next += s.normal[a] * next[a];
+  }
+  s.stretch = 1.0 + 0.5 * (low.thermal + high.thermal);
+  const double touching = pair.distance * s.stretch;
+  double R2 = pair.distance * pair.distance;
+  for (int k = 0; k < D - 1; k++) {
+    double tau = 0.0, tau_next = 0.0;
+    for (int a = 0; a < D; a++) {
+      tau += s.tangent[k][a] * s.r[a];
+      tau_next += s.tangent[k][a] * next[a];
+    }
+    R2 += tau * tau;
+    s.slip[k] = tau_next - s.stretch * (pair.origin[k] + moved[k]);
+  }
+  const double R = std::max(std::sqrt(R2), 1.0e-3 * horizon);    // w has a limit at 0
+  s.stiffness = pair.stiffness * kernel_slope(kernel, D, R, horizon);
+  s.penetration = touching - apart;
+  s.predicted = touching - apart_next;
+  return s;
+}
+
+/** Force on the high end; the low end gets the opposite.
+    @param q     dt^2 (Kc_low/m_low + Kc_high/m_high), Kc = sum of k_n over the active pairs of an end
+    @param moved grows by the excess of a sliding pair
+    @param heat  energy that friction took, added
+    @return the normal force */
+template <int D>
+inline double contact_force(const ContactPair &pair, const ContactState<D> &s, double q,
+                            double *force, double *moved, double &heat)
+{
+  const double normal = implicit_normal(s.stiffness, q, s.predicted);
+  double friction[D - 1], excess[D - 1];
+  const double ratio = pair.shear_ratio;
+  implicit_friction<D - 1>(ratio * s.stiffness, ratio * q, pair.friction * normal, s.slip, friction,
+                           excess);
+  for (int a = 0; a < D; a++) force[a] = normal * s.normal[a];
+  for (int k = 0; k < D - 1; k++) {
+    for (int a = 0; a < D; a++) force[a] -= friction[k] * s.tangent[k][a];
+    heat += friction[k] * excess[k];
+    moved[k] += excess[k] / s.stretch;
+  }
+  return normal;
+}
+
+}    // namespace TMSPH
+#endif
