@@ -16,6 +16,7 @@
 #include "compute_tmsph_dt.h"
 #include "compute_tmsph_property_atom.h"
 #include "fix_tmsph_bond.h"
+#include "fix_tmsph_contact.h"
 #include "fix_tmsph_heat_boundary.h"
 #include "fix_tmsph_hoekbrown.h"
 #include "pair_tmsph.h"
@@ -78,6 +79,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   add("fix", "tmsph/bond", "reference bonds of pair style tmsph");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHHoekBrown>;
   add("fix", "tmsph/hoekbrown", "bond breaking by the Hoek-Brown criterion");
+  plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHContact>;
+  add("fix", "tmsph/contact", "contact with friction of bodies and crack faces");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHHeatBoundary>;
   add("fix", "tmsph/heat/boundary", "prescribed temperature");
 

@@ -82,7 +82,7 @@ void ComputeTMSPHBondLocal::compute_local()
     for (int k = 0; k < bonds.count(i); k++) {
       const int j = bonds.partner_index(i, k), state = bonds.bond_state(i, k);
       if (atom->tag[i] > bonds.partner_tag(i, k) || !(atom->mask[j] & groupbit)) continue;
-      if (wanted >= 0 && state != wanted) continue;
+      if (wanted >= 0 ? state != wanted : state == FixTMSPHBond::UNBONDED) continue;
       double X[3], R2 = 0.0, r2 = 0.0;
       if (i != j) {
         bonds.reference_vector(i, j, X);

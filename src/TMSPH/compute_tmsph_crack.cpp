@@ -71,6 +71,7 @@ void ComputeTMSPHCrack::compute_vector()
     double reach = 0.0;
     for (int k = 0; k < bonds->count(i); k++) {
       const auto state = bonds->bond_state(i, k);
+      if (state == FixTMSPHBond::UNBONDED) continue;
       if (state == FixTMSPHBond::CUT) sum[1] += 0.5;
       const int j = bonds->partner_index(i, k);
       if (j == i) continue;    // a fragment that went out of reach

@@ -474,11 +474,11 @@ void FixTMSPHBond::lay_out()
 
 /* ---------------------------------------------------------------------- */
 
-bool FixTMSPHBond::joined(int i, tagint id) const
+int FixTMSPHBond::state_with(int i, tagint id) const
 {
   const tagint *first = partner[i], *last = first + npartner[i];
   const tagint *found = std::lower_bound(first, last, id);
-  return found != last && *found == id && state[i][found - first] == INTACT;
+  return found != last && *found == id ? state[i][found - first] : -1;
 }
 
 /* ---------------------------------------------------------------------- */

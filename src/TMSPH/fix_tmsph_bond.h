@@ -95,7 +95,9 @@ class FixTMSPHBond : public Fix {
   /// X_j - X_i, the nearest image, the same to the last bit (but for sign) from both ends
   void reference_vector(int i, int j, double *X) const;
   /// true if an intact bond joins local particle i to the particle with this id
-  bool joined(int i, tagint id) const;
+  bool joined(int i, tagint id) const { return state_with(i, id) == INTACT; }
+  /// State of local particle i towards the particle with this id, or -1 if they are no family
+  int state_with(int i, tagint id) const;
   /// takes the bond from this end; whoever decides must decide alike at the other end
   void remove_bond(int i, int k, State why);
   /// velocity that the viscosity of a setup takes for local particle i, see lag below

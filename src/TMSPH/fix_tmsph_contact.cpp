@@ -27,9 +27,10 @@ template <int D> struct ContactRow {
 
 /* ---------------------------------------------------------------------- */
 
-bool FixTMSPHContact::touching(int, int) const
+unsigned FixTMSPHContact::states() const
 {
-  return true;
+  const unsigned faces = 1u << FixTMSPHBond::BROKEN | 1u << FixTMSPHBond::CUT;
+  return 1u << FixTMSPHBond::UNBONDED | (self ? faces : 0u);
 }
 
 /* ----------------------------------------------------------------------

@@ -50,7 +50,8 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   int size_restart(int) override;
   int maxsize_restart() override;
 
-  bool touching(int itype, int jtype) const override;
+  bool touching(int, int) const override { return true; }
+  unsigned states() const override;
   const std::vector<Couple> &couples() override;
   void add_stress(double *stress) override;
 
@@ -105,7 +106,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void refuse_later_forces() const;
   void follow(bool after_breaks);
   void list_pairs();
-  bool counts(int state) const;
+  bool counts(int state) const { return states() >> state & 1u; }
   template <int D> void fit_pairs();
   template <int D> void evaluate(double dt);
   template <int D> void apply_again();

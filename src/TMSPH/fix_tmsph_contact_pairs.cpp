@@ -48,13 +48,6 @@ void FixTMSPHContact::follow(bool after_breaks)
     fit_pairs<3>();
 }
 
-/* ---------------------------------------------------------------------- */
-
-bool FixTMSPHContact::counts(int state) const
-{
-  return state == FixTMSPHBond::UNBONDED || (self && state != FixTMSPHBond::INTACT);
-}
-
 /* ----------------------------------------------------------------------
    what is remembered of pairs that are still there is kept
 ------------------------------------------------------------------------- */
@@ -102,11 +95,13 @@ void FixTMSPHContact::list_pairs()
     longest = std::max(longest, last - first);
   }
   memories.swap(kept);
-  maxexchange = exchange_size(longest);
 
-  int mine = !ends.empty(), any;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  any_pairs = any;
+  // restarts are written with one width for all processors
+
+  int longest_of_all;
+  MPI_Allreduce(&longest, &longest_of_all, 1, MPI_INT, MPI_MAX, world);
+  maxexchange = exchange_size(longest_of_all);
+  any_pairs = longest_of_all > 0;
 }
 
 /* ----------------------------------------------------------------------

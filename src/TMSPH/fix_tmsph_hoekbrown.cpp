@@ -187,6 +187,7 @@ void FixTMSPHHoekBrown::follow_layout()
         ? TMSPH::weibull_random(rock.strength, rock.modulus, bonds->first_id(i), rock.seed)
         : rock.strength;
   }
+  debris.leave_out(1u << FixTMSPHBond::INTACT | pair->states_in_contact());
   debris.measure(*bonds);
   comm->forward_comm(this);
   debris.list_candidates(*list, neighbor->skin, *bonds);

@@ -52,6 +52,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
     };
     /// true if particles of these types, which are not bonded, may touch
     virtual bool touching(int itype, int jtype) const = 0;
+    /// bit 1<<state for each state of a family that it sees to
+    virtual unsigned states() const = 0;
     /// couples of the force evaluation that goes on
     virtual const std::vector<Couple> &couples() = 0;
     /// adds the share of contact to the Cauchy stress rows of local particles
@@ -104,6 +106,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   /// only with a contact set
   const double *step_gradient() const { return gradient.data(); }
   double thermal_strain(int i) const;
+  unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
 
   /** Own-side Cauchy stress and displacement gradient of the local particles in their present

@@ -80,7 +80,7 @@ void PairTMSPH::report()
                  intact + broken + cut, 2.0 * (intact + broken + cut) / natoms, fewest, most,
                  broken, cut, features(), all_bytes / natoms, doubles_per_ghost(), stable_dt,
                  update->dt / stable_dt);
-  if (cut && !break_test)
-    error->warning(FLERR, "The faces of cuts pass through each other: only with fix "
-                          "tmsph/hoekbrown do they repel");
+  if (cut && !break_test && !(states_in_contact() >> FixTMSPHBond::CUT & 1u))
+    error->warning(FLERR, "The faces of cuts pass through each other: add a fix "
+                          "tmsph/contact");
 }

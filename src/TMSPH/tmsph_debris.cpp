@@ -76,7 +76,7 @@ void TMSPHDebris::list_candidates(const NeighList &list, double neighbor_skin,
     const int i = list.ilist[ii];
     for (int jj = 0; jj < list.numneigh[i]; jj++) {
       const int j = list.firstneigh[i][jj] & NEIGHMASK;
-      if (may_touch(i, j) && !bonds.joined(i, atom->tag[j]) &&
+      if (may_touch(i, j) && !left_out(bonds.state_with(i, atom->tag[j])) &&
           make(i, j, bonds, c))
         candidates.push_back(c);
     }
@@ -88,7 +88,8 @@ void TMSPHDebris::list_candidates(const NeighList &list, double neighbor_skin,
 void TMSPHDebris::add(int i, int j, const FixTMSPHBond &bonds)
 {
   Candidate c;
-  if (!may_touch(i, j) || !make(i, j, bonds, c)) return;
+  if (left_out(bonds.state_with(i, atom->tag[j])) || !may_touch(i, j) || !make(i, j, bonds, c))
+    return;
   candidates.push_back(c);
   sorted = false;
 }

@@ -26,6 +26,8 @@ class TMSPHDebris : protected Pointers {
 
   /// Young's modulus of each type, [ntypes+1]
   void set_young(const std::vector<double> &values) { young = values; }
+  /// bit 1<<state for each State of families that others see to, INTACT among them
+  void leave_out(unsigned states) { others = states; }
   /// contact sizes d_i of the local particles
   void measure(const FixTMSPHBond &bonds);
   std::vector<double> &spacings() { return spacing; }    ///< ghosts' ones are filled by the caller
@@ -45,6 +47,7 @@ class TMSPHDebris : protected Pointers {
   };
   std::vector<double> young;
   std::vector<double> spacing;    // [nlocal+nghost]
+  unsigned others = 1u;
   double skin = 0.0;
   std::vector<Candidate> candidates;
   bool sorted = true;
@@ -52,6 +55,7 @@ class TMSPHDebris : protected Pointers {
 
   /// before the next neighbor list: no particle moves more than half the skin until then
   bool may_touch(int i, int j) const;
+  bool left_out(int state) const { return state >= 0 && (others >> state & 1u); }
   bool make(int i, int j, const FixTMSPHBond &bonds, Candidate &) const;
 };
 
