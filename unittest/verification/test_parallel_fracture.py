@@ -1,6 +1,6 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Fracture with cuts, viscosity, heating and fragments in contact: the same to the
-last bit on any number of processors, balanced or not, in one run or several, and
+"""Fracture with cuts, viscosity, heating and fragments in contact, by their provisional
+repulsion or with friction on the faces of cracks (fix tmsph/contact): the same to the last bit on any number of processors, balanced or not, in one run or several, and
 continued from a restart. New ids and deleted particles leave the other bonds alone."""
 
 from tmsph_testing import *
@@ -14,7 +14,8 @@ STRESSES = "sxx syy szz sxy sxz syz"
 class Body:
     """A heated ball, in the plane or in space, around a core that expands more."""
 
-    def __init__(self, dimension):
+    def __init__(self, dimension, friction=None):
+        self.friction = friction
         two = dimension == 2
         self.radius, self.steps, self.heat = (25, 1400, 200) if two else (6.6, 300, 900)
         n = 2 * int(self.radius) + 2
@@ -30,6 +31,10 @@ class Body:
 
     def fixes(self, scene, more=""):
         """All that a restart does not carry."""
+        if self.friction is None:
+            contact, touching = "", "f_hb[5]"
+        else:
+            contact, touching = f"fix cont all tmsph/contact friction * * {self.friction}\n", "f_cont[8]"
         return scene.add(
             "fix 1 all nve\n"
             f"variable T equal {self.heat}*step/{self.steps}\n"
@@ -38,7 +43,8 @@ class Body:
             "compute t all tmsph/property/atom temperature\n"
             f"compute p all tmsph/property/atom {STRESSES} load strength nbond nbroken ncut damage\n"
             f"timestep {0.35 * SPACING / 4465:.17g}\n"
-            "thermo_style custom step temp f_hb f_hb[5]\nthermo 100\n" + more)
+            f"{contact}variable touching equal {touching}\n"
+            "thermo_style custom step temp f_hb v_touching\nthermo 100\n" + more)
 
     def start(self, more=""):
         scene = Scene(self.cloud, ROCKS, self.pair).add(f"tmsph/cut all {self.cut}")
@@ -63,18 +69,18 @@ def same(run, reference):
     return differ + np.count_nonzero(~(events[0] == late))
 
 
-def compare(report, dimension):
-    body = Body(dimension)
+def compare(report, dimension, friction=None):
+    body = Body(dimension, friction)
     n = body.steps
     parts = [n // 4, n // 3, n - n // 4 - n // 3]
     balance = "comm_style tiled\nfix lb all balance 40 0.95 rcb\n"
     reference = body.ending(body.start(), [n]).run()
-    broken, contacts = reference.thermo("f_hb"), reference.thermo("f_hb[5]")
+    broken, contacts = reference.thermo("f_hb"), reference.thermo("v_touching")
     state = reference.frame("end")
-    what = f"{dimension}-D, {len(body.cloud)} particles"
+    what = f"{dimension}-D, {'friction' if friction else 'repulsion'}"
     report.above(f"{what}: bonds broken", broken[-1], 100)
     report.above(f"{what}: bonds cut", state["c_p[11]"].sum() / 2, 20)
-    report.above(f"{what}: fragment contacts, most", contacts.max(), 0)
+    report.above(f"{what}: contacts, most", contacts.max(), 0)
     report.true(f"{what}: all values finite", np.isfinite(state(" ".join(state))).all(), "a number")
     for ranks in (2, 4):
         run = body.ending(body.start(), [n]).run(ranks)
@@ -134,7 +140,9 @@ def renumbered(report, ranks):
 
 report = Report()
 compare(report, 2)
+compare(report, 2, friction=0.3)
 compare(report, 3)
+compare(report, 3, friction=0.3)
 for ranks in (1, 2):
     renumbered(report, ranks)
 report.finish()
