@@ -107,6 +107,14 @@ void FixTMSPHContact::init()
   pair->set_contact(this);
   version = -1;
   refuse_later_forces();
+
+  bool apart = false;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i + 1; j <= atom->ntypes; j++) apart = apart || !pair->bonded(i, j);
+  if (apart && bonds->formed() && bonds->count_bonds(FixTMSPHBond::UNBONDED) == 0 && comm->me == 0)
+    error->warning(FLERR, "No particles of types that are not bonded stood within the horizon of "
+                          "each other when the bonds formed: if bodies should touch, define fix "
+                          "tmsph/contact before the first run");
 }
 
 /* ----------------------------------------------------------------------

@@ -20,8 +20,9 @@
 namespace TMSPH {
 
 /** k_n = CLOSURE 2 M V_i V_j w_ij/K0 and k_t = SHEAR_CLOSURE 2 G V_i V_j w_ij/K0, with the harmonic
-    means M of lambda + 2 mu and G of mu of both ends, make a closed cut as stiff as the intact body. Calibrated on flat cuts through square, hexagonal and cubic lattices at
-    several angles (unittest/verification/test_closed_cut.py). */
+    means M of lambda + 2 mu and G of mu of both ends, make a closed cut as stiff as the intact
+    body. In 2-D calibrated on flat cuts through square and hexagonal lattices at several angles
+    (unittest/verification/test_closed_cut.py); in 3-D roughly, on small cubic blocks. */
 template <int D> constexpr double CLOSURE = D == 2 ? 0.593 : 0.55;
 template <int D> constexpr double SHEAR_CLOSURE = D == 2 ? 0.69 : 0.67;
 

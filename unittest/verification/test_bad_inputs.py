@@ -51,6 +51,7 @@ Atoms # tmsph
 HB = "fix hb all tmsph/hoekbrown strength * 150e6 mi * 8 "
 HEAT = "fix T all tmsph/heat/boundary "
 CUT = "tmsph/cut all "
+CONTACT = "fix touch all tmsph/contact "
 ELASTIC = "pair_coeff 1 1 elastic "
 
 # Scene, sections replaced, words that the message must hold in this order; "|" separates them
@@ -206,6 +207,21 @@ CASES = [
      "strength|needs a fix tmsph/hoekbrown"),
     (PLATE, {"pair": "", "coeff": "", "break": "", "more": "compute p all tmsph/property/atom ux"},
      "tmsph/property/atom needs pair style tmsph"),
+    (PLATE, dict(more=CONTACT + "rough 1"), "rough|use friction, self or stiffness"),
+    (PLATE, dict(more=CONTACT + "friction * *"), "tmsph/contact friction|missing"),
+    (PLATE, dict(more=CONTACT + "friction * * -0.1"), "friction -0.1|negative"),
+    (PLATE, dict(more=CONTACT + "friction * * nan"), "friction nan|negative"),
+    (PLATE, dict(more=CONTACT + "friction * * high"), "floating point|high"),
+    (PLATE, dict(more=CONTACT + "friction 1 3 0.5"), "type|3"),
+    (PLATE, dict(more=CONTACT + "self"), "tmsph/contact self|missing"),
+    (PLATE, dict(more=CONTACT + "self perhaps"), "perhaps"),
+    (PLATE, dict(more=CONTACT + "stiffness 0"), "stiffness 0|positive|factor"),
+    (PLATE, dict(more=CONTACT + "stiffness -1"), "stiffness -1|positive"),
+    (PLATE, dict(more=CONTACT + "\nfix two all tmsph/contact"), "More than one fix tmsph/contact|single"),
+    (PLATE, dict(more=CONTACT + "\nfix pull all addforce 1 0 0"),
+     "Fix pull|addforce|after fix tmsph/contact|before"),
+    (PLATE, dict(more=CONTACT + "\nreset_atoms id"), "reset_atoms id|stores atom IDs"),
+    (PLATE, {"pair": "", "coeff": "", "break": "", "more": CONTACT}, "tmsph/contact needs pair style"),
     (PLATE, dict(more="compute c all tmsph/crack 5"), "5|tmsph/crack|none"),
     (PLATE, dict(more="compute d all tmsph/dt 5"), "5|tmsph/dt|none"),
     (PLATE, dict(more="compute b all tmsph/bond/local"), "tmsph/bond/local|missing"),
