@@ -19,6 +19,7 @@
 #include "fix_tmsph_contact.h"
 #include "fix_tmsph_heat_boundary.h"
 #include "fix_tmsph_hoekbrown.h"
+#include "fix_tmsph_wall.h"
 #include "pair_tmsph.h"
 #include "tmsph_cut.h"
 
@@ -81,6 +82,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   add("fix", "tmsph/hoekbrown", "bond breaking by the Hoek-Brown criterion");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHContact>;
   add("fix", "tmsph/contact", "contact with friction of bodies and crack faces");
+  plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHWall>;
+  add("fix", "tmsph/wall", "rigid walls with friction");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHHeatBoundary>;
   add("fix", "tmsph/heat/boundary", "prescribed temperature");
 

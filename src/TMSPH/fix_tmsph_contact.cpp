@@ -10,7 +10,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "tmsph_fingerprint.h"
+#include "tmsph_last_force.h"
 #include "update.h"
 
 #include <algorithm>
@@ -40,31 +40,14 @@ unsigned FixTMSPHContact::states() const
 
 void FixTMSPHContact::setup_pre_force(int)
 {
-  int same = 1, all_same;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const auto found = memories.find(atom->tag[i]);
-    if (found == memories.end()) continue;
-    if (found->second.stamp != fingerprint(atom->x[i], atom->v[i])) same = 0;
-  }
-  MPI_Allreduce(&same, &all_same, 1, MPI_INT, MPI_MIN, world);
-  resumed = all_same;
+  resumed = TMSPHLastForce::untouched(atom, memories, world);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHContact::post_run()
 {
-  stamp();
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHContact::stamp()
-{
-  for (int i = 0; i < atom->nlocal; i++) {
-    const auto found = memories.find(atom->tag[i]);
-    if (found != memories.end()) found->second.stamp = fingerprint(atom->x[i], atom->v[i]);
-  }
+  TMSPHLastForce::stamp(atom, memories);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -131,7 +114,9 @@ template <int D> void FixTMSPHContact::apply_again()
 template <int D> void FixTMSPHContact::evaluate(double dt)
 {
   using Row = ContactRow<D>;
+  const double work = totals[WORK];
   std::fill(totals, totals + NTOTALS, 0.0);
+  totals[WORK] = work;
   energy = 0.0;
   if (!any_pairs) return;
 
@@ -309,7 +294,7 @@ double FixTMSPHContact::compute_scalar()
 
 /* ----------------------------------------------------------------------
    1-3 force on the bodies of the lower type, 4-6 torque on them about the
-   origin, 7 frictional work of this step, 8 pairs that touch, 9 deepest penetration,
+   origin, 7 work lost by friction so far, 8 pairs that touch, 9 deepest penetration,
    10 sum of the normal forces
 ------------------------------------------------------------------------- */
 

@@ -103,7 +103,6 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   double energy;
 
   void parse(int, char **);
-  void refuse_later_forces() const;
   void follow(bool after_breaks);
   void list_pairs();
   bool counts(int state) const { return states() >> state & 1u; }
@@ -111,7 +110,6 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   template <int D> void evaluate(double dt);
   template <int D> void apply_again();
   void add_virial();
-  void stamp();
   void send(int first, int count);
   static int exchange_size(int nrecords);
 };

@@ -12,6 +12,7 @@
 #include "error.h"
 #include "force.h"
 #include "modify.h"
+#include "tmsph_last_force.h"
 #include "update.h"
 
 #include <algorithm>
@@ -106,7 +107,7 @@ void FixTMSPHContact::init()
   bonds = pair->bonds();
   pair->set_contact(this);
   version = -1;
-  refuse_later_forces();
+  TMSPHLastForce::refuse_later_forces(lmp, this);
 
   bool apart = false;
   for (int i = 1; i <= atom->ntypes; i++)
@@ -115,22 +116,6 @@ void FixTMSPHContact::init()
     error->warning(FLERR, "No particles of types that are not bonded stood within the horizon of "
                           "each other when the bonds formed: if bodies should touch, define fix "
                           "tmsph/contact before the first run");
-}
-
-/* ----------------------------------------------------------------------
-   contact predicts the step from all other forces: it must act last
-------------------------------------------------------------------------- */
-
-void FixTMSPHContact::refuse_later_forces() const
-{
-  bool later = false;
-  for (const auto &fix : modify->get_fix_list()) {
-    if (later && (fix->setmask() & POST_FORCE) && !utils::strmatch(fix->style, "^tmsph/"))
-      error->all(FLERR,
-                 "Fix {} of style {} acts after fix tmsph/contact {}, which must know all other "
-                 "forces: define it before", fix->id, fix->style, id);
-    later = later || fix == this;
-  }
 }
 
 /* ----------------------------------------------------------------------
@@ -195,7 +180,7 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
 
 void FixTMSPHContact::write_restart(FILE *fp)
 {
-  stamp();
+  TMSPHLastForce::stamp(atom, memories);
   double list[NTOTALS + 1];
   for (int n = 0; n < NTOTALS; n++) list[n] = compute_vector(n);
   list[NTOTALS] = compute_scalar();

@@ -24,6 +24,25 @@ inline double implicit_normal(double stiffness, double q, double predicted)
   return stiffness * std::max(0.0, predicted) / (1.0 + q);
 }
 
+/** The same for a particle in a corner, held by two springs of equal stiffness at once.
+    @param cosine    of the angle between their normals, below 1
+    @param predicted of both
+    @param force     of both, none negative */
+inline void implicit_corner(double stiffness, double q, double cosine, const double *predicted,
+                            double *force)
+{
+  // (1+q) F_1 + q c F_2 = k p_1 and the like; if one would pull, the other acts alone
+
+  const double a = 1.0 + q, b = q * cosine, det = a * a - b * b;
+  for (int k = 0; k < 2; k++)
+    force[k] = stiffness * (a * predicted[k] - b * predicted[1 - k]) / det;
+  for (int k = 0; k < 2; k++)
+    if (force[k] < 0.0) {
+      force[k] = 0.0;
+      force[1 - k] = implicit_normal(stiffness, q, predicted[1 - k]);
+    }
+}
+
 /** Coulomb friction with an elastic stick, implicit like implicit_normal. The slip s is measured from
     an anchor where the contact carries no tangential force.
       |k s/(1 + q)| <= limit: stick, F = k s/(1 + q);  else F = limit s/|s|.

@@ -1,0 +1,133 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   fix tmsph/wall: a rigid wall with friction, at rest, moving or under a load.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(tmsph/wall,FixTMSPHWall);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_TMSPH_WALL_H
+#define LMP_FIX_TMSPH_WALL_H
+
+#include "fix.h"
+#include "tmsph_rigid_motion.h"
+#include "tmsph_wall_shape.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixTMSPHWall : public Fix {
+ public:
+  FixTMSPHWall(class LAMMPS *, int, char **);
+  ~FixTMSPHWall() override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void min_setup(int) override;
+  void post_force(int) override;
+  void min_post_force(int) override;
+  void post_run() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+
+ private:
+  using Point = TMSPH::Point;
+
+  /** Where friction is zero, in the coordinates of the wall at the start. */
+  struct Anchor {
+    int piece;
+    Point point;
+  };
+  /** What a touching particle remembers of its last step. */
+  struct Memory {
+    double force[3] = {};
+    std::uint64_t stamp = 0;                   // fingerprint at the end of the run
+    Point image = {};                          // shift from the box to where it really is
+    int side = 0;                              // on which it touched first
+    int count = 0;                             // of anchors
+    Anchor anchors[2] = {};
+  };
+  /** A number or an equal-style variable. */
+  struct Input {
+    std::string variable;
+    int index = -1;
+    double value = 0.0;
+  };
+  /** A particle that may feel the wall in this step. */
+  struct Touching {
+    int i, places, side;
+    TMSPH::WallTouch place[2];
+    double predicted[2], penetration[2];
+    double stiffness;
+  };
+
+  enum Law { IMPLICIT, PENALTY, PAPER };
+
+  class PairTMSPH *pair;
+  std::unique_ptr<TMSPH::WallShape> shape;
+  TMSPH::RigidMotion motion;
+  Law law;
+  double friction, stiffness;    // stiffness: factor to the default
+  bool both_sides;
+  Input velocity[3], spin;       // prescribed
+  bool turns;
+  Input load[3];                 // of directions that are free
+  bool is_free[3];
+  double mass;                   // 0: no direction is free
+  bool varies;                   // some input is a variable
+
+  std::unordered_map<tagint, Memory> memories;    // by id
+  std::vector<int> candidates;                    // may touch before all have moved "skin" in sum
+  double skin, travel, farthest;                  // farthest: from the pivot, when they were listed
+  int version;                                    // of the bonds when they were listed
+  bool started;                                   // this or an earlier run has been set up
+  std::vector<Touching> touching;
+
+  enum { FORCE = 0, TORQUE = 3, WORK = 6, TOUCHES, DEEPEST, NTOTALS };
+  enum { DISPLACEMENT = NTOTALS, ANGLE = NTOTALS + 3, NOUTPUT };
+  double totals[NTOTALS];        // of this processor
+  double energy;
+
+  int parse_shape(int, char **);
+  int parse_polyline(int, char **);
+  std::vector<Point> read_polyline(const std::string &file) const;
+  void check_points(const std::vector<Point> &) const;
+  void parse(int, int, char **);
+  Input number_or_variable(const char *) const;
+  double evaluate(Input &);
+  void evaluate_inputs();
+  void move();
+  void list_candidates();
+  void follow();
+  double gap_of(int i) const;
+  double stiffness_of(int i, double dt) const;
+  void find_touching(double dt);
+  void act(double dt);
+  void hold(Touching &, double dt, double dragged);
+  void drive(double dt);
+  void warn_of_overlap() const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,300 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Closest points on lines, arcs and planes.
+------------------------------------------------------------------------- */
+
+#include "tmsph_wall_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace TMSPH;
+
+namespace {
+
+constexpr double PI = 3.14159265358979323846;
+
+Point minus(const Point &a, const Point &b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+double dot(const Point &a, const Point &b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double cross(const Point &a, const Point &b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+Point left_of(const Point &along)
+{
+  return {-along[1], along[0], 0.0};
+}
+
+Point scaled(double factor, const Point &a)
+{
+  return {factor * a[0], factor * a[1], factor * a[2]};
+}
+
+/// a corner or an end as the place of touch; straight is the normal where the point is just there
+WallTouch touch_corner(const Point &from_corner, const Point &straight, int piece)
+{
+  const double r = std::sqrt(dot(from_corner, from_corner));
+  return {r > 0.0 ? scaled(1.0 / r, from_corner) : straight, r, piece};
+}
+
+}    // namespace
+
+/* ---------------------------------------------------------------------- */
+
+WallPolyline::WallPolyline(const std::vector<Point> &points) : closed(points.front() == points.back())
+{
+  for (size_t k = 0; k + 1 < points.size(); k++) {
+    const Point d = minus(points[k + 1], points[k]);
+    const double length = std::sqrt(dot(d, d));
+    segments.push_back({points[k], scaled(1.0 / length, d), length});
+  }
+  closed = closed && segments.size() > 2;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int WallPolyline::before(int k) const
+{
+  return k > 0 ? k - 1 : closed ? (int) segments.size() - 1 : -1;
+}
+
+int WallPolyline::after(int k) const
+{
+  return k + 1 < (int) segments.size() ? k + 1 : closed ? 0 : -1;
+}
+
+/* ----------------------------------------------------------------------
+   do segments k and l meet in a corner that opens to this side?
+------------------------------------------------------------------------- */
+
+bool WallPolyline::concave(int k, int l, int side) const
+{
+  const int n = segments.size();
+  if (k >= n || l >= n) return false;    // corners
+  if (after(k) == l && side * cross(segments[k].along, segments[l].along) > 0.0) return true;
+  return after(l) == k && side * cross(segments[l].along, segments[k].along) > 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   Behind one segment may be in front of another. What is in front counts;
+   what is behind only where both meet in a concave corner, into which the
+   point has been pressed, or if there is nothing else.
+------------------------------------------------------------------------- */
+
+int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *found) const
+{
+  std::vector<WallTouch> hits;
+  const int n = segments.size();
+  for (int k = 0; k < n; k++) {
+    const Segment &s = segments[k];
+    const Point d = minus(x, s.start);
+    const double along = dot(d, s.along);
+    const Point normal = scaled(side, left_of(s.along));
+    const double gap = dot(d, normal);
+    if (along >= 0.0 && along <= s.length) {
+      if (std::fabs(gap) < reach) hits.push_back({normal, gap, k});
+      continue;
+    }
+
+    // the corner where this segment starts, and the free end of the last one
+
+    const int previous = before(k);
+    if (along < 0.0 && dot(d, d) < reach * reach) {
+      if (previous < 0) {
+        if (gap >= 0.0) hits.push_back(touch_corner(d, normal, n + k));
+      } else {
+        const Segment &p = segments[previous];
+        if (dot(minus(x, p.start), p.along) > p.length) {
+          WallTouch corner = touch_corner(d, normal, n + k);
+          if (concave(previous, k, side))    // only behind both
+            corner = {scaled(-1.0, corner.normal), -corner.gap, n + k};
+          hits.push_back(corner);
+        }
+      }
+    }
+    if (along > s.length && after(k) < 0 && gap >= 0.0) {
+      const Point beyond = minus(d, scaled(s.length, s.along));
+      if (dot(beyond, beyond) < reach * reach)
+        hits.push_back(touch_corner(beyond, normal, 2 * n));
+    }
+  }
+  if (hits.empty()) return 0;
+
+  const auto in_front = [](const WallTouch &h) { return h.gap >= 0.0; };
+  const bool front = std::any_of(hits.begin(), hits.end(), in_front);
+  if (front) {
+    const std::vector<WallTouch> all = hits;
+    const auto is_no_place = [&](const WallTouch &h) {
+      return h.gap < 0.0 && std::none_of(all.begin(), all.end(), [&](const WallTouch &f) {
+               return in_front(f) && concave(h.piece, f.piece, side);
+             });
+    };
+    hits.erase(std::remove_if(hits.begin(), hits.end(), is_no_place), hits.end());
+  }
+  const auto lower = [](const WallTouch &a, const WallTouch &b) { return a.gap < b.gap; };
+  found[0] = front ? *std::min_element(hits.begin(), hits.end(), lower)
+                   : *std::max_element(hits.begin(), hits.end(), lower);
+  int count = 1;
+  const double parallel = std::cos(CONCAVE * PI / 180.0);
+  for (const WallTouch &h : hits) {
+    if (dot(h.normal, found[0].normal) > parallel) continue;
+    if (!(in_front(h) && in_front(found[0])) && !concave(h.piece, found[0].piece, side)) continue;
+    if (count == 1 || h.gap < found[1].gap) found[1] = h;
+    count = 2;
+  }
+  return count;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int WallPolyline::nearest(const Point &x, double &square) const
+{
+  int which = 0;
+  square = HUGE_VAL;
+  for (size_t k = 0; k < segments.size(); k++) {
+    const Segment &s = segments[k];
+    Point d = minus(x, s.start);
+    const double along = std::min(s.length, std::max(0.0, dot(d, s.along)));
+    d = minus(d, scaled(along, s.along));
+    if (dot(d, d) >= square) continue;
+    square = dot(d, d);
+    which = k;
+  }
+  return which;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int WallPolyline::side_of(const Point &x) const
+{
+  double square;
+  const Segment &s = segments[nearest(x, square)];
+  return cross(s.along, minus(x, s.start)) >= 0.0 ? 1 : -1;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double WallPolyline::distance(const Point &x) const
+{
+  double square;
+  nearest(x, square);
+  return std::sqrt(square);
+}
+
+/* ---------------------------------------------------------------------- */
+
+WallArc::WallArc(const Point &centre, double radius, double from, double to) :
+    centre(centre), radius(radius), start(from), sweep(to - from)
+{
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool WallArc::spans(const Point &x) const
+{
+  if (std::fabs(sweep) >= 2.0 * PI) return true;
+  const Point d = minus(x, centre);
+  const double sign = sweep > 0.0 ? 1.0 : -1.0;
+  double turned = std::fmod(sign * (std::atan2(d[1], d[0]) - start), 2.0 * PI);
+  if (turned < 0.0) turned += 2.0 * PI;
+  return turned <= std::fabs(sweep);
+}
+
+/* ---------------------------------------------------------------------- */
+
+Point WallArc::end(int which) const
+{
+  const double angle = which ? start + sweep : start;
+  return {centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0.0};
+}
+
+/* ---------------------------------------------------------------------- */
+
+int WallArc::touches(const Point &x, double reach, int side, WallTouch *found) const
+{
+  const Point d = minus(x, centre);
+  const double r = std::sqrt(dot(d, d));
+  const double inwards = side * (sweep > 0.0 ? 1.0 : -1.0);
+  if (r == 0.0) return 0;
+  const Point normal = scaled(-inwards / r, d);
+  const double gap = inwards * (radius - r);
+  if (spans(x)) {
+    found[0] = {normal, gap, 0};
+    return std::fabs(gap) < reach;
+  }
+  for (int which = 0; which < 2; which++) {
+    const Point from_end = minus(x, end(which));
+    if (gap < 0.0 || dot(from_end, from_end) >= reach * reach) continue;
+    found[0] = touch_corner(from_end, normal, 1 + which);
+    return 1;
+  }
+  return 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int WallArc::side_of(const Point &x) const
+{
+  const Point d = minus(x, centre);
+  return (dot(d, d) <= radius * radius) == (sweep > 0.0) ? 1 : -1;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double WallArc::distance(const Point &x) const
+{
+  const Point d = minus(x, centre);
+  if (spans(x)) return std::fabs(std::sqrt(dot(d, d)) - radius);
+  double square = HUGE_VAL;
+  for (int which = 0; which < 2; which++) {
+    const Point from_end = minus(x, end(which));
+    square = std::min(square, dot(from_end, from_end));
+  }
+  return std::sqrt(square);
+}
+
+/* ---------------------------------------------------------------------- */
+
+WallPlane::WallPlane(const Point &point, const Point &unit_normal) :
+    point(point), normal(unit_normal)
+{
+}
+
+/* ---------------------------------------------------------------------- */
+
+double WallPlane::height(const Point &x) const
+{
+  return dot(minus(x, point), normal);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int WallPlane::touches(const Point &x, double reach, int side, WallTouch *found) const
+{
+  found[0] = {scaled(side, normal), side * height(x), 0};
+  return std::fabs(found[0].gap) < reach;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int WallPlane::side_of(const Point &x) const
+{
+  return height(x) >= 0.0 ? 1 : -1;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double WallPlane::distance(const Point &x) const
+{
+  return std::fabs(height(x));
+}

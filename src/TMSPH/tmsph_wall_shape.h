@@ -1,0 +1,95 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Shapes of rigid walls: where does a point touch them? Vectors have three
+   components; the third is zero in 2-D.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_TMSPH_WALL_SHAPE_H
+#define LMP_TMSPH_WALL_SHAPE_H
+
+#include <array>
+#include <vector>
+
+namespace TMSPH {
+
+using Point = std::array<double, 3>;
+
+struct WallTouch {
+  Point normal;    ///< unit vector away from the wall
+  double gap;      ///< distance from the surface along the normal; negative behind it
+  int piece;       ///< which segment or corner
+};
+
+class WallShape {
+ public:
+  virtual ~WallShape() = default;
+  /** The places where a point is held: one, or two in a concave corner.
+      @param reach only places nearer than this count, in front and behind
+      @param side  +1: the front is the left side of lines and arcs, where the normal of a plane
+                   points; -1: the other
+      @return number of places, at most 2 */
+  virtual int touches(const Point &x, double reach, int side, WallTouch *found) const = 0;
+  /// +1 if a point is on the left side of the nearest piece, where the normal of a plane points; or -1
+  virtual int side_of(const Point &x) const = 0;
+  /// distance from the surface, without sign; a lower bound will do
+  virtual double distance(const Point &x) const = 0;
+};
+
+/** Straight segments end to end; closed if the last point is the first. At a convex corner the
+    nearest point is the corner itself, so the normal turns steadily. In a concave corner of more
+    than CONCAVE degrees a point touches both segments, in a flatter one the nearer. */
+class WallPolyline : public WallShape {
+ public:
+  static constexpr double CONCAVE = 20.0;
+  explicit WallPolyline(const std::vector<Point> &points);
+  int touches(const Point &x, double reach, int side, WallTouch *found) const override;
+  int side_of(const Point &x) const override;
+  double distance(const Point &x) const override;
+
+ private:
+  struct Segment {
+    Point start, along;    // along: unit vector
+    double length;
+  };
+  std::vector<Segment> segments;
+  bool closed;
+
+  int before(int k) const;    // the segment that ends where k starts, or -1
+  int after(int k) const;
+  bool concave(int k, int l, int side) const;
+  int nearest(const Point &x, double &square) const;
+};
+
+/** A part of a circle. */
+class WallArc : public WallShape {
+ public:
+  /** @param from,to angles in radians; from < to: counter-clockwise, the left side is inside;
+                    2 pi or more apart: the whole circle */
+  WallArc(const Point &centre, double radius, double from, double to);
+  int touches(const Point &x, double reach, int side, WallTouch *found) const override;
+  int side_of(const Point &x) const override;
+  double distance(const Point &x) const override;
+
+ private:
+  Point centre;
+  double radius, start, sweep;    // sweep: signed
+  bool spans(const Point &x) const;
+  Point end(int which) const;
+};
+
+/** An infinite plane, a straight line in 2-D. */
+class WallPlane : public WallShape {
+ public:
+  WallPlane(const Point &point, const Point &unit_normal);
+  int touches(const Point &x, double reach, int side, WallTouch *found) const override;
+  int side_of(const Point &x) const override;
+  double distance(const Point &x) const override;
+
+ private:
+  Point point, normal;
+  double height(const Point &x) const;
+};
+
+}    // namespace TMSPH
+#endif
