@@ -25,10 +25,12 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// k = 1.17 E' A/dx per particle stands for the half cell between its centre and the surface;
-// 1.17 makes a compressed block of square lattice as stiff as the continuum
+// k = HALF_CELL E' A/dx per particle stands for the half cell between its centre and the surface.
+// Calibrated on blocks of square lattice, Wendland kernel, horizon 3.015 dx and hourglass 0.1, so
+// that a compressed block becomes as stiff as the continuum with refinement.
 
-static constexpr double HALF_CELL = 1.17;
+static constexpr double HALF_CELL = 1.135;
+static constexpr double LARGEST_STRAIN = 0.25;    // of the half cell, for its softening
 static constexpr double TANGENTIAL = 0.4;    // k_t/k
 static constexpr double DAMPING = 0.2;       // of critical, of the explicit penalty
 static constexpr double PAPER = 2.0;         // F = 2 m/dt^2 d: Mu et al. (2022), Eqs. 14, 15
@@ -118,14 +120,21 @@ double FixTMSPHWall::gap_of(int i) const
   return 0.5 * std::pow(atom->vfrac[i], 1.0 / domain->dimension) * (1.0 + pair->thermal_strain(i));
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   secant of the half cell. St Venant-Kirchhoff in uniaxial compression by e:
+   E' (1 - e)(1 - (1 - e)^2)/2 = E' e (1 - e)(1 - e/2) per reference area
+------------------------------------------------------------------------- */
 
-double FixTMSPHWall::stiffness_of(int i, double dt) const
+double FixTMSPHWall::stiffness_of(int i, double penetration, double dt) const
 {
   if (law == PAPER) return stiffness * PAPER * atom->rmass[i] / (dt * dt);
   const auto &material = pair->material(atom->type[i]);
   const double modulus = material.young / (1.0 - material.poisson * material.poisson);
-  return stiffness * HALF_CELL * modulus * std::pow(atom->vfrac[i], 1.0 - 2.0 / domain->dimension);
+  const double spacing = std::pow(atom->vfrac[i], 1.0 / domain->dimension);
+  const double strain = std::min(LARGEST_STRAIN,
+                                 std::max(0.0, stiffness * HALF_CELL * penetration / spacing));
+  return stiffness * HALF_CELL * modulus * atom->vfrac[i] / (spacing * spacing) * (1.0 - strain) *
+      (1.0 - 0.5 * strain);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -193,16 +202,18 @@ void FixTMSPHWall::find_touching(double dt)
       continue;
     }
     const Point v = motion.velocity_at(x);
-    t.stiffness = stiffness_of(i, dt > 0.0 ? dt : update->dt);
+    double deepest = -gap;
     for (int p = 0; p < t.places; p++) {
       t.place[p].normal = motion.turned(t.place[p].normal);
       t.penetration[p] = t.predicted[p] = gap - t.place[p].gap;
+      deepest = std::max(deepest, t.penetration[p]);
       for (int a = 0; a < 3; a++) {
         const double driven = is_free[a] ? load[a].value / mass : 0.0;
         t.predicted[p] -= t.place[p].normal[a] * ahead *
             (atom->v[i][a] - v[a] + ahead * (atom->f[i][a] / atom->rmass[i] - driven));
       }
     }
+    t.stiffness = stiffness_of(i, deepest, dt > 0.0 ? dt : update->dt);
     touching.push_back(t);
   }
 }

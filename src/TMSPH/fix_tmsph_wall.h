@@ -119,7 +119,7 @@ class FixTMSPHWall : public Fix {
   void list_candidates();
   void follow();
   double gap_of(int i) const;
-  double stiffness_of(int i, double dt) const;
+  double stiffness_of(int i, double penetration, double dt) const;
   void find_touching(double dt);
   void act(double dt);
   void hold(Touching &, double dt, double dragged);

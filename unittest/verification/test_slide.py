@@ -1,0 +1,69 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""examples/slide: a block pressed between plates, then slid over the lower one (Mu et al.
+2022, Sect. 5.1). Without friction the compression is uniform, and the St Venant-Kirchhoff
+force is exact. While it slides friction is mu times the normal force, and the normal force
+at small strain follows from Betti's theorem with the centre of pressure of the run,
+F = E' W d/(H - mu nu/(1 - nu) x). Neither depends on the time step."""
+
+from tmsph_testing import *
+
+ROOT = Path(__file__).resolve().parents[2]
+EDGE, MODULUS, POISSON, MU = 0.1, 1e7 / (1 - 0.2**2), 0.2, 0.3
+PUSH = 8e-3
+
+
+class Slide:
+    def __init__(self, **variables):
+        text = (ROOT / "examples/slide/in.slide").read_text()
+        head = "\n".join(f"variable {name} index {value}" for name, value in variables.items())
+        self.push = float(variables.get("push", PUSH))
+        run = Script(head + "\ninclude in.slide", {"in.slide": text}).run()
+        self.time, self.friction = run.thermo("Time"), run.thermo("f_below[1]")
+        self.normal, self.torque = -run.thermo("f_below[2]"), run.thermo("f_below[6]")
+        self.pressed = self.normal[np.argmin(abs(self.time - 1.04))]
+        self.slides = self.time > 1.7    # more than 2 mm after all particles have begun to
+
+    def exact(self):
+        stretch = 1 - self.push / EDGE
+        return MODULUS * EDGE * stretch * (1 - stretch**2) / 2
+
+    def noise(self):
+        f = self.friction[self.slides]
+        return f.std() / f.mean()
+
+    def ratio(self):
+        return abs(self.friction[self.slides] / self.normal[self.slides] - MU).max() / MU
+
+    def betti(self):
+        normal = self.normal[self.slides].mean()
+        centre = -self.torque[self.slides].mean() / normal
+        return normal / (MODULUS * EDGE * self.push / (EDGE - MU * POISSON / (1 - POISSON) * centre))
+
+
+report = Report()
+for n, bar in ((10, 0.02), (20, 0.01), (40, 0.005)):
+    slide = Slide(n=n, mu=0, end=1.05)
+    report.below(f"force of frictionless compression against exact, n = {n}",
+                 abs(slide.pressed / slide.exact() - 1), bar)
+slide = Slide(n=10, mu=0, end=1.05, push=PUSH / 10)
+report.below("the same at a tenth of the way, n = 10", abs(slide.pressed / slide.exact() - 1), 5e-3)
+
+steps = [Slide(cfl=cfl) for cfl in (0.5, 0.25, 0.125)]
+report.below("friction / (mu normal force) - 1 while it slides", steps[0].ratio(), 1e-3)
+report.below("scatter of friction, with viscosity", steps[0].noise(), 1e-3)
+plain = Slide(visc=0)
+report.below("friction / (mu normal force) - 1 without viscosity", plain.ratio(), 1e-3)
+report.below("scatter of friction, without viscosity", plain.noise(), 1e-2)
+for what, force in (("normal force before sliding", [s.pressed for s in steps]),
+                    ("normal force while sliding", [s.normal[s.slides].mean() for s in steps]),
+                    ("friction", [s.friction[s.slides].mean() for s in steps])):
+    report.below(f"{what} at dt, dt/2, dt/4: largest change", np.ptp(force) / force[0], 5e-3)
+for n in (10, 20):
+    slide = Slide(n=n, push=PUSH / 800)
+    report.below(f"normal force against Betti's, n = {n}", abs(slide.betti() - 1), 0.01)
+paper = [Slide(law="paper", cfl=cfl) for cfl in (0.5, 0.25)]
+report.note("law paper: normal force before sliding, dt and dt/2, of exact",
+            " ".join(f"{s.pressed / s.exact():.4f}" for s in paper))
+report.note("law paper: friction/normal force", " ".join(
+    f"{s.friction[s.slides].mean() / s.normal[s.slides].mean():.4f}" for s in paper))
+report.finish()
