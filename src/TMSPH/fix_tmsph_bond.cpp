@@ -145,7 +145,6 @@ void FixTMSPHBond::post_neighbor()
 void FixTMSPHBond::form()
 {
   const int nlocal = atom->nlocal;
-  user->complete_particles();
   const int *periodicity = domain->periodicity;
   horizon = user->horizon();
   if (comm->get_comm_cutoff() < horizon)

@@ -32,8 +32,6 @@ struct TMSPHBondUser {
   virtual bool bonded(int itype, int jtype) const = 0;
   /// true if two types without bonds may touch: pairs within the horizon are kept as UNBONDED
   virtual bool touching(int itype, int jtype) const = 0;
-  /// gives local and ghost particles their masses and temperatures before the bonds form
-  virtual void complete_particles() = 0;
   /// true if forces depend on velocities
   virtual bool viscous() const = 0;
   /// velocity that viscosity took last for local particle i; nullptr if that was no step or setup

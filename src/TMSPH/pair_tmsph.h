@@ -91,7 +91,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   {
     return contact && contact->touching(itype, jtype);
   }
-  void complete_particles() override;
   bool viscous() const override { return on.viscosity; }
   const double *step_velocity(int i) const override;
   void run_begins() override;
@@ -156,6 +155,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   enum { FORCE_ROWS, STRESS, DISPLACEMENT } what_to_send;
 
   void allocate();
+  void complete_particles();
   TMSPH::Slices &slices();
   template <int D> void prepare();
   template <int D> void build_own_side();

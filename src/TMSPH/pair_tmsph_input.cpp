@@ -264,6 +264,7 @@ void PairTMSPH::init_style()
   if (!bond_fix)
     bond_fix = dynamic_cast<FixTMSPHBond *>(
         modify->add_fix(fmt::format("{} all tmsph/bond", FixTMSPHBond::ID)));
+  if (!bond_fix->formed()) complete_particles();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -297,14 +298,14 @@ std::string PairTMSPH::features() const
 
 /* ----------------------------------------------------------------------
    density times volume is the mass; a mass that was given must agree.
-   A temperature that was not given is the reference temperature.
-   Ghosts carry the same data and follow the same rule.
+   A temperature that was not given is the reference temperature. Before the
+   fixes are initialized: some of LAMMPS's take the masses there.
 ------------------------------------------------------------------------- */
 
 void PairTMSPH::complete_particles()
 {
   constexpr double AGREE = 1.0e-6;
-  for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
+  for (int i = 0; i < atom->nlocal; i++) {
     const Material &m = materials[atom->type[i]];
     const double volume = atom->vfrac[i];
     if (!(volume > 0.0))
