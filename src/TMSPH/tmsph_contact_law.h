@@ -36,11 +36,10 @@ inline void implicit_corner(double stiffness, double q, double cosine, const dou
   const double a = 1.0 + q, b = q * cosine, det = a * a - b * b;
   for (int k = 0; k < 2; k++)
     force[k] = stiffness * (a * predicted[k] - b * predicted[1 - k]) / det;
-  for (int k = 0; k < 2; k++)
-    if (force[k] < 0.0) {
-      force[k] = 0.0;
-      force[1 - k] = implicit_normal(stiffness, q, predicted[1 - k]);
-    }
+  if (force[0] >= 0.0 && force[1] >= 0.0) return;
+  const int k = stiffness * predicted[1] <= b * implicit_normal(stiffness, q, predicted[0]) ? 0 : 1;
+  force[k] = implicit_normal(stiffness, q, predicted[k]);
+  force[1 - k] = 0.0;
 }
 
 /** Coulomb friction with an elastic stick, implicit like implicit_normal. The slip s is measured from

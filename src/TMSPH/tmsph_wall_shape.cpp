@@ -101,28 +101,29 @@ int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *fou
     const double along = dot(d, s.along);
     const Point normal = scaled(side, left_of(s.along));
     const double gap = dot(d, normal);
-    if (along >= 0.0 && along <= s.length) {
+    const int previous = before(k), next = after(k);
+
+    // where it meets another in a concave corner it goes on behind that one
+
+    const double first = previous >= 0 && concave(previous, k, side) ? -reach : 0.0;
+    const double last = s.length + (next >= 0 && concave(k, next, side) ? reach : 0.0);
+    if (along >= first && along <= last) {
       if (std::fabs(gap) < reach) hits.push_back({normal, gap, k});
       continue;
     }
 
     // the corner where this segment starts, and the free end of the last one
 
-    const int previous = before(k);
     if (along < 0.0 && dot(d, d) < reach * reach) {
       if (previous < 0) {
         if (gap >= 0.0) hits.push_back(touch_corner(d, normal, n + k));
       } else {
         const Segment &p = segments[previous];
-        if (dot(minus(x, p.start), p.along) > p.length) {
-          WallTouch corner = touch_corner(d, normal, n + k);
-          if (concave(previous, k, side))    // only behind both
-            corner = {scaled(-1.0, corner.normal), -corner.gap, n + k};
-          hits.push_back(corner);
-        }
+        if (dot(minus(x, p.start), p.along) > p.length)
+          hits.push_back(touch_corner(d, normal, n + k));
       }
     }
-    if (along > s.length && after(k) < 0 && gap >= 0.0) {
+    if (along > s.length && next < 0 && gap >= 0.0) {
       const Point beyond = minus(d, scaled(s.length, s.along));
       if (dot(beyond, beyond) < reach * reach)
         hits.push_back(touch_corner(beyond, normal, 2 * n));
