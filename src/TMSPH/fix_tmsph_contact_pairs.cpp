@@ -141,31 +141,33 @@ template <int D> void FixTMSPHContact::fit_pairs()
   }
   send(0, width);
 
-  // those around each particle: its own and its family's, in the order of ids
+  // those around each particle: its own and its family's, in the order of ids; and once more
 
   std::vector<double> around(members.size() * width);
-  for (size_t n = 0; n < members.size(); n++) {
-    const int i = members[n].i;
-    Moments<D> sum[2];
-    const auto add = [&](int j, const double *X) {
-      sum[0].add(row(j), X);
-      sum[1].add(row(j) + SIZE, X);
-    };
-    const double here[3] = {0.0, 0.0, 0.0};
-    add(i, here);
-    for (int k = 0; k < bonds->count(i); k++) {
-      const int j = bonds->partner_index(i, k);
-      double X[3];
-      if (j == i) continue;
-      bonds->reference_vector(i, j, X);
-      add(j, X);
+  for (int round = 0; round < 2; round++) {
+    for (size_t n = 0; n < members.size(); n++) {
+      const int i = members[n].i;
+      Moments<D> sum[2];
+      const auto add = [&](int j, const double *X) {
+        sum[0].add(row(j), X);
+        sum[1].add(row(j) + SIZE, X);
+      };
+      const double here[3] = {0.0, 0.0, 0.0};
+      add(i, here);
+      for (int k = 0; k < bonds->count(i); k++) {
+        const int j = bonds->partner_index(i, k);
+        double X[3];
+        if (j == i) continue;
+        bonds->reference_vector(i, j, X);
+        add(j, X);
+      }
+      std::copy_n(sum[0].m, SIZE, around.data() + n * width);
+      std::copy_n(sum[1].m, SIZE, around.data() + n * width + SIZE);
     }
-    std::copy_n(sum[0].m, SIZE, around.data() + n * width);
-    std::copy_n(sum[1].m, SIZE, around.data() + n * width + SIZE);
+    for (size_t n = 0; n < members.size(); n++)
+      std::copy_n(around.data() + n * width, width, row(members[n].i));
+    send(0, width);
   }
-  for (size_t n = 0; n < members.size(); n++)
-    std::copy_n(around.data() + n * width, width, row(members[n].i));
-  send(0, width);
 
   const double kappa = bonds->interior_kappa();
   for (End &e : ends) {
