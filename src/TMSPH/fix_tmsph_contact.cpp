@@ -171,13 +171,14 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
       const double normal =
           contact_force<D>(e.pair, s, dt * dt * (mine + his), f, e.record->moved, heat);
       const double sign = e.low ? -1.0 : 1.0, share = e.low ? e.pair.share : 1.0 - e.pair.share;
+      const double part = 0.25 + 0.5 * share;    // of the stress: by depth and evenly, the mean
       double r[3] = {};
       std::copy_n(s.r, D, r);
       for (int a = 0; a < 3; a++) {
         force[a] += sign * f[a];
         couple[a] -= share * (r[(a + 1) % 3] * f[(a + 2) % 3] - r[(a + 2) % 3] * f[(a + 1) % 3]);
-        stress[a] -= 0.5 * f[a] * r[a];
-        stress[3 + a] -= 0.25 * (a < 2 ? f[0] * r[a + 1] + f[a + 1] * r[0]
+        stress[a] -= part * f[a] * r[a];
+        stress[3 + a] -= 0.5 * part * (a < 2 ? f[0] * r[a + 1] + f[a + 1] * r[0]
                                        : f[1] * r[2] + f[2] * r[1]);
       }
       totals[WORK] += 0.5 * heat;
