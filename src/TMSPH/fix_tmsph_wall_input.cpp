@@ -215,7 +215,8 @@ void FixTMSPHWall::parse(int iarg, int narg, char **arg)
     } else if (word == "law") {
       const std::string name = value[0];
       if (name != "implicit" && name != "penalty" && name != "paper")
-        error->all(FLERR, "Unknown law '{}' of fix tmsph/wall: use implicit, penalty or paper", name);
+        error->all(FLERR, "Unknown law '{}' of fix tmsph/wall: use implicit, penalty or paper",
+                   name);
       law = name == "implicit" ? IMPLICIT : name == "penalty" ? PENALTY : PAPER;
     } else if (word == "velocity") {
       for (int a = 0; a < d; a++) velocity[a] = number_or_variable(value[a]);

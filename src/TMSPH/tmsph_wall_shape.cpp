@@ -51,7 +51,8 @@ WallTouch touch_corner(const Point &from_corner, const Point &straight, int piec
 
 /* ---------------------------------------------------------------------- */
 
-WallPolyline::WallPolyline(const std::vector<Point> &points) : closed(points.front() == points.back())
+WallPolyline::WallPolyline(const std::vector<Point> &points) :
+    closed(points.front() == points.back())
 {
   for (size_t k = 0; k + 1 < points.size(); k++) {
     const Point d = minus(points[k + 1], points[k]);

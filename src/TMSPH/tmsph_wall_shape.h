@@ -30,7 +30,7 @@ class WallShape {
                    points; -1: the other
       @return number of places, at most 2 */
   virtual int touches(const Point &x, double reach, int side, WallTouch *found) const = 0;
-  /// +1 if a point is on the left side of the nearest piece, where the normal of a plane points; or -1
+  /// +1 on the left side of the nearest piece, or where the normal of a plane points; else -1
   virtual int side_of(const Point &x) const = 0;
   /// distance from the surface, without sign; a lower bound will do
   virtual double distance(const Point &x) const = 0;

@@ -39,7 +39,8 @@ double sampled(const std::vector<Point> &points, const Point &x)
   return least;
 }
 
-const std::vector<Point> BENT = {{-1, 0, 0}, {0, 0, 0}, {0.5, -0.4, 0}, {1.2, -0.4, 0}, {1.2, 0.6, 0}};
+const std::vector<Point> BENT = {
+    {-1, 0, 0}, {0, 0, 0}, {0.5, -0.4, 0}, {1.2, -0.4, 0}, {1.2, 0.6, 0}};
 
 }    // namespace
 
@@ -93,7 +94,8 @@ TEST(WallShape, GapIsSteadyAlongPathsOverKinks)
       const int count = wall.touches({x, y, 0}, 0.4, 1, found);
       ASSERT_EQ(count, 1) << kink << ' ' << x;
       if (x > -0.5 + 0.5 * step)
-        EXPECT_LT(std::fabs(found[0].gap - before), step * (1 + std::fabs(s / c)) + 1e-12) << kink << ' ' << x;
+        EXPECT_LT(std::fabs(found[0].gap - before), step * (1 + std::fabs(s / c)) + 1e-12)
+            << kink << ' ' << x;
       before = found[0].gap;
     }
   }

@@ -51,10 +51,11 @@ def closest(X, reach):
 
 
 class Disc:
-    """One run of the example, to 260 degrees."""
+    """One run of the example, to 260 degrees. friction: see there; None: bonded."""
 
-    def __init__(self, seed, swapped=False):
-        scene = Script(f"variable seed index {seed}\nvariable mi index {MI}\n"
+    def __init__(self, seed, swapped=False, friction=None):
+        touching = f"variable friction index {friction}\n" if friction is not None else ""
+        scene = Script(f"variable seed index {seed}\nvariable mi index {MI}\n{touching}"
                        f"variable swap index {'yes' if swapped else 'no'}\nvariable dump index 0\n"
                        f"variable dx index {SPACING}\nshell cd examples/disc\ninclude in.disc\n"
                        "shell cd ../..", {name: (ROOT / name).read_text() for name in EXAMPLE})
@@ -82,7 +83,8 @@ class Disc:
     def exact_first_break(self):
         """The temperature at which the first bond fails in the exact field: the mean stress of
         its ends, each with that of its own material, and their mean strength. a = 1/2, s = 1."""
-        stress = disc_stress(disc_materials(self.swapped), "strain", self.a, self.R, self.X, self.inside)
+        stress = disc_stress(disc_materials(self.swapped), "strain", self.a, self.R, self.X,
+                             self.inside)
         xx, yy, xy = 0.5 * (stress[self.bonds[:, 0]] + stress[self.bonds[:, 1]]).T
         radius = np.hypot(0.5 * (xx - yy), xy)
         pull = MI * (0.5 * (xx + yy) + radius)
@@ -114,6 +116,13 @@ class Disc:
             middle = 0.5 * (low + high)
             low, high = (low, middle) if self.reach(middle) >= radius else (middle, high)
         return high
+
+    def crack_length(self, T, side):
+        """Of particles in cracks in the matrix, right (side 1) or left (-1) of the inclusion within
+        45 degrees, times the spacing; a straight crack has two rows of them."""
+        members, _ = self.in_cracks(T)
+        x, y = self.X[members].T
+        return 0.5 * SPACING * np.count_nonzero(side * x > np.abs(y))
 
     def main_cracks(self):
         members, _ = self.in_cracks(np.inf)
@@ -156,8 +165,9 @@ def circumferential(report, seed):
     sound(report, what, disc)
 
 
-report = Report()
-for seed in SEEDS:
-    radial(report, seed)
-circumferential(report, SEEDS[0])
-report.finish()
+if __name__ == "__main__":
+    report = Report()
+    for seed in SEEDS:
+        radial(report, seed)
+    circumferential(report, SEEDS[0])
+    report.finish()

@@ -13,9 +13,11 @@ STEPS = 1500
 class Body:
     def __init__(self, dimension):
         two = dimension == 2
-        self.cloud = lattice("square" if two else "sc", (16, 8) if two else (6, 6, 6), SPACING)
+        name, cells = ("square", (16, 8)) if two else ("sc", (6, 6, 6))
+        self.cloud = lattice(name, cells, SPACING)
         self.walls = (
-            "variable away equal -0.3*ternary(step<300,0,1)\nvariable press equal -800*(1-exp(-step/50))\n"
+            "variable away equal -0.3*ternary(step<300,0,1)\n"
+            "variable press equal -800*(1-exp(-step/50))\n"
             "fix top all tmsph/wall line 1 0.08 -1 0.08 load NULL v_press mass 2.0\n"
             "fix left all tmsph/wall line 0 1 0 -1 friction 0.1\n"
             "fix low all tmsph/wall polyline 6 -1 0 0.162 0 0.165 0.0005 0.17 0.0005 0.175 0 1 0 "
@@ -49,20 +51,27 @@ def compare(report, dimension):
     what = f"{dimension}-D"
     reference = body.ending(body.start(), [STEPS]).run()
     report.above(f"{what}: work of friction, J", reference.thermo("f_low[7]")[-1], 1e-3)
-    report.above(f"{what}: touching, mean since step 300", reference.thermo("f_low[8]")[3:].mean(), 4)
+    report.above(f"{what}: touching, mean since step 300",
+                 reference.thermo("f_low[8]")[3:].mean(), 4)
     parts = [200, 401, STEPS - 601]
     balance = "comm_style tiled\nfix lb all balance 40 0.95 rcb\n"
-    for ranks, more, runs, label in ((2, "", [STEPS], ""), (4, "", [STEPS], ""), (4, balance, [STEPS], ", balanced"),
-                                     (1, "", parts, ", three runs"), (2, "", parts, ", three runs")):
+    whole = [STEPS]
+    for ranks, more, runs, label in ((2, "", whole, ""), (4, "", whole, ""),
+                                     (4, balance, whole, ", balanced"),
+                                     (1, "", parts, ", three runs"),
+                                     (2, "", parts, ", three runs")):
         run = body.ending(body.start(more), runs).run(ranks)
-        report.below(f"{what}: on {ranks}{label}, values that differ", different(run, reference), 1)
+        report.below(f"{what}: on {ranks}{label}, values that differ",
+                     different(run, reference), 1)
         work = run.thermo("f_low[7]")[-1] / reference.thermo("f_low[7]")[-1]
         report.below(f"{what}: on {ranks}{label}, work of friction", abs(work - 1), 1e-12)
     written = body.start().add("run 700\nwrite_restart middle.restart").run(2, keep="*.restart")
     for ranks in (1, 4):
-        scene = Script(f"comm_modify cutoff {6 * SPACING}\nread_restart middle.restart", written.kept)
+        scene = Script(f"comm_modify cutoff {6 * SPACING}\nread_restart middle.restart",
+                       written.kept)
         run = body.ending(body.fixes(scene), [STEPS - 700]).run(ranks)
-        report.below(f"{what}: continued on {ranks}, values that differ", different(run, reference), 1)
+        report.below(f"{what}: continued on {ranks}, values that differ",
+                     different(run, reference), 1)
         work = run.thermo("f_low[7]")[-1] / reference.thermo("f_low[7]")[-1]
         report.below(f"{what}: continued on {ranks}, work of friction", abs(work - 1), 1e-12)
 

@@ -37,7 +37,8 @@ class Slide:
     def betti(self):
         normal = self.normal[self.slides].mean()
         centre = -self.torque[self.slides].mean() / normal
-        return normal / (MODULUS * EDGE * self.push / (EDGE - MU * POISSON / (1 - POISSON) * centre))
+        height = EDGE - MU * POISSON / (1 - POISSON) * centre
+        return normal / (MODULUS * EDGE * self.push / height)
 
 
 report = Report()
@@ -57,7 +58,8 @@ report.below("scatter of friction, without viscosity", plain.noise(), 1e-2)
 for what, force in (("normal force before sliding", [s.pressed for s in steps]),
                     ("normal force while sliding", [s.normal[s.slides].mean() for s in steps]),
                     ("friction", [s.friction[s.slides].mean() for s in steps])):
-    report.below(f"{what} at .98, .49 and .25 of the stable step: largest change", np.ptp(force) / force[0], 5e-3)
+    report.below(f"{what} at .98, .49 and .25 of the stable step: largest change",
+                 np.ptp(force) / force[0], 5e-3)
 for n in (10, 20):
     slide = Slide(n=n, push=PUSH / 800)
     report.below(f"normal force against Betti's, n = {n}", abs(slide.betti() - 1), 0.01)

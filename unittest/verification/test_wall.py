@@ -198,9 +198,9 @@ def bumps(report):
     height = 0.02 * EDGE
     points = [(-0.2, 0.0)]
     for k in range(6):
-        points += [(0.15 * EDGE + 0.5 * k * EDGE + EDGE, 0.0), (0.4 * EDGE + 0.5 * k * EDGE + EDGE, height),
-                   (0.5 * EDGE + 0.5 * k * EDGE + EDGE, height)]
-        points.append((0.6 * EDGE + 0.5 * k * EDGE + EDGE, 0.0))
+        start = (1 + 0.5 * k) * EDGE
+        points += [(start + 0.15 * EDGE, 0.0), (start + 0.4 * EDGE, height),
+                   (start + 0.5 * EDGE, height), (start + 0.6 * EDGE, 0.0)]
     points.append((1.0, 0.0))
     flat = " ".join(f"{x:.6g} {y:.6g}" for x, y in points)
     scene = Blocks(square(), gravity=False).add(
