@@ -6,12 +6,14 @@ usage: slide.py OUT.png TITLE=LOG [TITLE=LOG ...]
 
 The picture in doc/report/contact.md:
     cd examples/slide
-    for law in implicit penalty paper; do
-        ../../tmsph run in.slide -var law $law -log log.$law
-    done
-    ../../tmsph run in.slide -var law paper -var cfl 0.25 -log log.paper.half
-    ../../tools/slide.py ../../doc/images/slide.png implicit=log.implicit penalty=log.penalty \\
-        paper=log.paper paper,\\ half\\ the\\ step=log.paper.half
+    ../../tmsph run in.slide -log log.a
+    ../../tmsph run in.slide -var visc 0 -log log.b
+    ../../tmsph run in.slide -var law penalty -log log.c
+    ../../tmsph run in.slide -var law paper -log log.d
+    ../../tmsph run in.slide -var law paper -var cfl 0.25 -log log.e
+    ../../tmsph run in.slide -var law paper -var visc 0 -log log.f     # stops with an error
+    ../../tools/slide.py ../../doc/images/slide.png "paper, no viscosity"=log.f paper=log.d \\
+        "paper, half the step"=log.e implicit=log.a "implicit, no viscosity"=log.b penalty=log.c
 """
 import sys
 from pathlib import Path
@@ -30,10 +32,11 @@ def main(arguments):
     if len(arguments) < 2 or not all("=" in word for word in arguments[1:]):
         sys.exit(__doc__)
     figure, (above, below) = plt.subplots(2, 1, figsize=(7, 6), sharex=True)
-    for title, log in (word.split("=", 1) for word in arguments[1:]):
+    for k, (title, log) in enumerate(word.split("=", 1) for word in arguments[1:]):
         table = read_thermo(Path(log).read_text())[-1]
-        above.plot(table["Time"], -table["f_below[2]"] / 1e3, label=title, lw=1)
-        below.plot(table["Time"], table["f_below[1]"] / 1e3, label=title, lw=1)
+        style = dict(label=title, lw=1 if k < 3 else 2, ls=["-", "--", ":"][k % 3])
+        above.plot(table["Time"], -table["f_below[2]"] / 1e3, **style)
+        below.plot(table["Time"], table["f_below[1]"] / 1e3, **style)
     stretch = 1 - PUSH / EDGE
     exact = MODULUS * EDGE * stretch * (1 - stretch**2) / 2e3
     above.axhline(exact, color="k", ls=":", lw=1, label="exact without friction")
@@ -41,8 +44,7 @@ def main(arguments):
     above.set_ylabel("normal force, kN/m")
     below.set_ylabel("friction, kN/m")
     below.set_xlabel("time, s")
-    above.legend()
-    below.legend()
+    above.legend(fontsize="small")
     figure.tight_layout()
     figure.savefig(arguments[0], dpi=100)
 

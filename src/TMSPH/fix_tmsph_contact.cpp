@@ -107,8 +107,8 @@ template <int D> void FixTMSPHContact::apply_again()
 
 /* ----------------------------------------------------------------------
    Two passes over the pairs: which are active and how stiff all contacts of a
-   particle are together, then the forces. Each end finds its own force, in the
-   order of the partners' ids.
+   particle are together, then the forces. Each particle sums them in the order
+   of its partners' ids.
 ------------------------------------------------------------------------- */
 
 template <int D> void FixTMSPHContact::evaluate(double dt)
@@ -141,56 +141,65 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
                          pair->thermal_strain(p)};
   };
-  const auto state = [&](const End &e) {
-    const ContactEnd<D> mine = at(e.i), his = at(e.j);
-    return contact_state<D>(e.pair, e.low ? mine : his, e.low ? his : mine, e.record->moved, kernel,
-                            horizon, dt);
-  };
-
-  std::vector<ContactState<D>> states;
-  states.reserve(ends.size());
+  std::vector<ContactState<D>> states(pairings.size());
+  for (size_t n = 0; n < pairings.size(); n++) {
+    const Pairing &p = pairings[n];
+    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.record->moved, kernel, horizon, dt);
+  }
   for (const Member &m : members) {
     double stiffness = 0.0;
     for (int n = m.first; n < m.last; n++) {
-      states.push_back(state(ends[n]));
-      if (states[n].predicted > 0.0) stiffness += states[n].stiffness;
+      const ContactState<D> &s = states[ends[n].pairing];
+      if (s.predicted > 0.0) stiffness += s.stiffness;
     }
     rows[(size_t) width * m.i + Row::COMPLIANCE] = stiffness / atom->rmass[m.i];
   }
   send(Row::COMPLIANCE, 1);
 
+  // forces on the higher ends
+
+  std::vector<double> forces(pairings.size() * D);
+  for (size_t n = 0; n < pairings.size(); n++) {
+    const Pairing &p = pairings[n];
+    const ContactState<D> &s = states[n];
+    const double compliance = rows[(size_t) width * p.low + Row::COMPLIANCE] +
+        rows[(size_t) width * p.high + Row::COMPLIANCE];
+    double heat = 0.0;
+    double *moved = p.record->moved;
+    const double before[2] = {moved[0], moved[1]};
+    const double normal = contact_force<D>(p.pair, s, dt * dt * compliance, forces.data() + n * D,
+                                           moved, heat);
+    if (p.copy && !std::equal(before, before + 2, moved)) std::copy_n(moved, 2, p.copy->moved);
+    totals[WORK] += p.copy ? heat : 0.5 * heat;
+    totals[DEEPEST] = std::max(totals[DEEPEST], s.penetration);
+    if (normal > 0.0 && p.low < atom->nlocal) {
+      totals[TOUCHING] += 1.0;
+      totals[NORMAL] += normal;
+      energy += 0.5 * normal * normal / s.stiffness;
+    }
+  }
+
   for (const Member &m : members) {
     Memory &memory = *m.memory;
     double force[3] = {}, stress[6] = {}, couple[3] = {};
     for (int n = m.first; n < m.last; n++) {
-      End &e = ends[n];
-      const ContactState<D> &s = states[n];
-      const double mine = rows[(size_t) width * m.i + Row::COMPLIANCE];
-      const double his = rows[(size_t) width * e.j + Row::COMPLIANCE];
-      double f[3] = {}, heat = 0.0;
-      const double normal =
-          contact_force<D>(e.pair, s, dt * dt * (mine + his), f, e.record->moved, heat);
-      const double sign = e.low ? -1.0 : 1.0, share = e.low ? e.pair.share : 1.0 - e.pair.share;
+      const End &e = ends[n];
+      const ContactPair &pair = pairings[e.pairing].pair;
+      double f[3] = {}, r[3] = {};
+      std::copy_n(forces.data() + (size_t) e.pairing * D, D, f);
+      std::copy_n(states[e.pairing].r, D, r);
+      const double sign = e.low ? -1.0 : 1.0, share = e.low ? pair.share : 1.0 - pair.share;
       const double part = 0.25 + 0.5 * share;    // of the stress: by depth and evenly, the mean
-      double r[3] = {};
-      std::copy_n(s.r, D, r);
       for (int a = 0; a < 3; a++) {
         force[a] += sign * f[a];
         couple[a] -= share * (r[(a + 1) % 3] * f[(a + 2) % 3] - r[(a + 2) % 3] * f[(a + 1) % 3]);
         stress[a] -= part * f[a] * r[a];
         stress[3 + a] -= 0.5 * part * (a < 2 ? f[0] * r[a + 1] + f[a + 1] * r[0]
-                                       : f[1] * r[2] + f[2] * r[1]);
+                                             : f[1] * r[2] + f[2] * r[1]);
       }
-      totals[WORK] += 0.5 * heat;
-      if (normal > 0.0 && e.low) {
-        totals[TOUCHING] += 1.0;
-        totals[NORMAL] += normal;
-        energy += 0.5 * normal * normal / s.stiffness;
-      }
-      totals[DEEPEST] = std::max(totals[DEEPEST], s.penetration);
-      if (atom->type[e.i] < atom->type[e.j])
+      if (atom->type[m.i] < atom->type[e.j])
         for (int a = 0; a < 3; a++) {
-          const double *x = atom->x[e.i];
+          const double *x = atom->x[m.i];
           const int b = (a + 1) % 3, c = (a + 2) % 3;
           totals[FORCE + a] += sign * f[a];
           totals[TORQUE + a] += sign * (x[b] * f[c] - x[c] * f[b]);

@@ -69,12 +69,18 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
     std::uint64_t stamp = 0;                         // fingerprint at the end of the run
     std::vector<Record> records;                     // ascending partners
   };
+  /** Two particles, at least one of them local, computed once. */
+  struct Pairing {
+    int low, high;        // by id
+    int kind;             // 0: bodies that are not bonded, 1: faces of a crack or a cut
+    Record *record;       // of a local end
+    Record *copy;         // of the other one if it is local too, or nullptr
+    TMSPH::ContactPair pair;
+  };
   /** One end of a pair, at a local particle. */
   struct End {
-    int i, j;
-    bool low;    // i has the lower id
-    TMSPH::ContactPair pair;
-    Record *record;
+    int j, pairing;
+    bool low;             // it has the lower id
   };
   struct Member {
     int i, first, last;    // local particle, its ends
@@ -89,7 +95,8 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
 
   std::unordered_map<tagint, Memory> memories;    // by id
   std::vector<Member> members;
-  std::vector<End> ends;
+  std::vector<End> ends;                     // of each member by ascending partner
+  std::vector<Pairing> pairings;
   std::vector<Couple> couple_list;
   bool any_pairs;                            // on any processor
   bool resumed;                              // the setup takes the forces of the last step again
@@ -105,6 +112,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void parse(int, char **);
   void follow(bool after_breaks);
   void list_pairs();
+  int list_members();
   bool counts(int state) const { return states() >> state & 1u; }
   template <int D> void fit_pairs();
   template <int D> void evaluate(double dt);

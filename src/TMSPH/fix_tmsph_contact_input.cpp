@@ -237,6 +237,6 @@ int FixTMSPHContact::maxsize_restart()
 
 double FixTMSPHContact::memory_usage()
 {
-  return ends.capacity() * (sizeof(End) + sizeof(Record)) +
+  return pairings.capacity() * sizeof(Pairing) + ends.capacity() * (sizeof(End) + sizeof(Record)) +
       members.capacity() * (sizeof(Member) + sizeof(Memory)) + rows.capacity() * sizeof(double);
 }

@@ -49,10 +49,12 @@ void FixTMSPHContact::follow(bool after_breaks)
 }
 
 /* ----------------------------------------------------------------------
-   what is remembered of pairs that are still there is kept
+   particles with pairs, and their ends; what is remembered of pairs that are
+   still there is kept
+   @return most ends of a particle
 ------------------------------------------------------------------------- */
 
-void FixTMSPHContact::list_pairs()
+int FixTMSPHContact::list_members()
 {
   std::unordered_map<tagint, Memory> kept;
   members.clear();
@@ -65,11 +67,7 @@ void FixTMSPHContact::list_pairs()
       if (!counts(bonds->bond_state(i, k))) continue;
       const int j = bonds->partner_index(i, k);
       if (j == i || !(atom->mask[j] & groupbit)) continue;
-      End e = {};
-      e.i = i;
-      e.j = j;
-      e.low = atom->tag[i] < atom->tag[j];
-      ends.push_back(e);
+      ends.push_back({j, -1, atom->tag[i] < atom->tag[j]});
     }
     const int last = ends.size();
     if (first == last) continue;
@@ -90,11 +88,47 @@ void FixTMSPHContact::list_pairs()
                                    ? *old
                                    : Record{partner, {0.0, 0.0}});
     }
-    for (int n = first; n < last; n++) ends[n].record = &memory.records[n - first];
     members.push_back({i, first, last, &memory});
     longest = std::max(longest, last - first);
   }
   memories.swap(kept);
+  return longest;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::list_pairs()
+{
+  const int longest = list_members();
+
+  // the higher end, if both are local, comes back to the pair of the lower one
+
+  const tagint *tag = atom->tag;
+  std::vector<int> member_of(atom->nlocal, -1);
+  for (size_t n = 0; n < members.size(); n++) member_of[members[n].i] = n;
+  pairings.clear();
+  const auto add = [&](const Member &m, int n) {
+    End &e = ends[n];
+    int k = 0;
+    while (bonds->partner_tag(m.i, k) != tag[e.j]) k++;
+    const int kind = bonds->bond_state(m.i, k) == FixTMSPHBond::UNBONDED ? 0 : 1;
+    e.pairing = pairings.size();
+    pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, kind,
+                        &m.memory->records[n - m.first], nullptr, {}});
+  };
+  for (const Member &m : members)
+    for (int n = m.first; n < m.last; n++)
+      if (ends[n].low || ends[n].j >= atom->nlocal) add(m, n);
+  for (const Member &m : members)
+    for (int n = m.first; n < m.last; n++) {
+      if (ends[n].pairing >= 0) continue;
+      const Member &other = members[member_of[ends[n].j]];
+      const auto end = std::lower_bound(
+          ends.begin() + other.first, ends.begin() + other.last, tag[m.i],
+          [tag](const End &e, tagint id) { return tag[e.j] < id; });
+      ends[n].pairing = end->pairing;
+      pairings[end->pairing].copy = &m.memory->records[n - m.first];
+    }
 
   // restarts are written with one width for all processors
 
@@ -170,17 +204,12 @@ template <int D> void FixTMSPHContact::fit_pairs()
   }
 
   const double kappa = bonds->interior_kappa();
-  for (End &e : ends) {
-    const int low = e.low ? e.i : e.j, high = e.low ? e.j : e.i;
+  for (Pairing &pairing : pairings) {
+    const int low = pairing.low, high = pairing.high, which = pairing.kind * SIZE;
     double X[3], direction[D], R2 = 0.0;
     bonds->reference_vector(low, high, X);
     for (int a = 0; a < D; a++) R2 += X[a] * X[a];
     for (int a = 0; a < D; a++) direction[a] = X[a] / std::sqrt(R2);
-    const tagint partner = atom->tag[e.j];
-    int k = 0;
-    while (bonds->partner_tag(e.i, k) != partner) k++;
-    const int which = kind(bonds->bond_state(e.i, k)) * SIZE;
-
     Moments<D> marks;
     std::copy_n(row(low) + which, SIZE, marks.m);
     marks.add(row(high) + which, X);
@@ -188,7 +217,7 @@ template <int D> void FixTMSPHContact::fit_pairs()
     double normal[D], centre[D], depth = 0.0;
     fit_plane<D>(marks, direction, SCATTER * size * size, normal, centre);
 
-    ContactPair &p = e.pair;
+    ContactPair &p = pairing.pair;
     p.distance = 0.0;
     for (int a = 0; a < D; a++) {
       p.normal_low[a] = p.normal_high[a] = normal[a];
