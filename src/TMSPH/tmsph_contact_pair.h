@@ -21,9 +21,9 @@ namespace TMSPH {
 
 /** k_n = CLOSURE 2 M V_i V_j w_ij/K0 and k_t = SHEAR_CLOSURE 2 G V_i V_j w_ij/K0, with the harmonic
     means M of lambda + 2 mu and G of mu of both ends, make a closed cut as stiff as the intact
-    body. In 2-D calibrated on flat cuts through square and hexagonal lattices at several angles
-    (unittest/verification/test_closed_cut.py); in 3-D roughly, on small cubic blocks. */
-template <int D> constexpr double CLOSURE = D == 2 ? 0.593 : 0.55;
+    body. Calibrated on flat cuts at several angles, through square and hexagonal lattices in 2-D,
+    simple cubic and face-centered cubic ones in 3-D: unittest/verification/test_closed_cut.py. */
+template <int D> constexpr double CLOSURE = D == 2 ? 0.593 : 0.50;
 template <int D> constexpr double SHEAR_CLOSURE = D == 2 ? 0.69 : 0.67;
 
 /** What a pair keeps while it is in contact. */

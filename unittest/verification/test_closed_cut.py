@@ -1,5 +1,5 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""A closed flat cut through a block, pressed and sheared with its faces stuck: as stiff
+"""A closed flat cut through a block, in 2-D and 3-D, pressed and sheared with its faces stuck: as stiff
 as the uncut block. The outer layers are moved by a homogeneous strain; the uncut block
 follows it exactly. What is measured is the jump of the displacements across the cut, by
 lines through those on either side of it, in units of the strain and the spacing, and the
@@ -15,8 +15,9 @@ LAYER, NEAR = 3.1, 2.0    # held at the outside; counted as near the cut
 class Block:
     def __init__(self, name, cells, angle):
         self.cloud = cloud = lattice(name, cells, SPACING, centre=True)
-        self.along = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
-        self.normal = np.array([-self.along[1], self.along[0]])
+        c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+        between = [0.0] * (len(cells) - 2)
+        self.along, self.normal = np.array([c, *between, s]), np.array([-s, *between, c])
         self.place = 1e-4 * SPACING * self.normal    # of the cut: through no particle
         size = np.abs(cloud.X).max(axis=0)
         self.held = (np.abs(cloud.X) > size - LAYER * SPACING).any(axis=1)
@@ -25,12 +26,16 @@ class Block:
         self.half = size.min()
 
     def cut(self):
-        far = 10 * self.half * self.along
-        return "line " + " ".join(f"{x:.17g}" for x in (*self.place - far, *self.place + far))
+        far = 10 * self.half
+        if len(self.normal) == 2:
+            word, numbers = "line", (*self.place - far * self.along, *self.place + far * self.along)
+        else:
+            word, numbers = "disc", (*self.place, *self.normal, far)
+        return f"{word} " + " ".join(f"{x:.17g}" for x in numbers)
 
     def strained(self, shear, steps):
         """Equilibrium under pressure, and shear, across the cut."""
-        cloud, n, t = self.cloud, self.normal, self.along
+        cloud, n, t, d = self.cloud, self.normal, self.along, self.cloud.dimension
         gradient = STRAIN * (-np.outer(n, n) + (0.5 * np.outer(t, n) if shear else 0.0))
         wave = np.sqrt(1.35 * ROCK["young"] / ROCK["density"])
         scene = Scene(cloud, [ROCK], "viscosity 1.0 0.0")
@@ -41,20 +46,20 @@ class Block:
         scene.add(f"tmsph/cut all {self.cut()}\nrun 0")
         moved = cloud.X + cloud.X @ gradient.T
         scene.move(moved).add("velocity all set 0 0 0\nfix hold held setforce 0 0 0")
-        drag = 0.75 * ROCK["density"] * SPACING**2 * wave / (self.half + 0.5 * SPACING) / 2
+        drag = 0.75 * ROCK["density"] * SPACING**d * wave / (self.half + 0.5 * SPACING) / 2
         scene.add(f"fix drag free viscous {drag:.6g}\nfix move free nve\n"
                   f"fix contact all tmsph/contact friction * * {STUCK}\n"
-                  f"timestep {0.7 * SPACING / wave:.6g}\nthermo_style custom step ke f_contact[8]\n"
-                  f"compute p all tmsph/property/atom sxx syy sxy\nrun {steps}")
-        scene.snapshot("end", "x y c_p[*]")
+                  f"timestep {0.6 * SPACING / wave:.6g}\nthermo_style custom step ke f_contact[8]\n"
+                  f"compute p all tmsph/property/atom sxx syy szz sxy sxz syz\nrun {steps}")
+        scene.snapshot("end", "x y z c_p[*]")
         end = scene.run().frame("end")
-        self.away = end("x y") - moved
+        self.away = end("x y z")[:, :d] - moved
         strain = 0.5 * (gradient + gradient.T)
         E, nu = ROCK["young"], ROCK["poisson"]
         lame, G = E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
-        exact = lame * np.trace(strain) * np.eye(2) + 2 * G * strain
-        xx, yy, xy = end("c_p[1] c_p[2] c_p[3]").T
-        stress = np.array([[xx, xy], [xy, yy]])
+        exact = lame * np.trace(strain) * np.eye(d) + 2 * G * strain
+        xx, yy, zz, xy, xz, yz = end(" ".join(f"c_p[{k}]" for k in range(1, 7))).T
+        stress = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])[:d, :d]
         self.pressure = np.einsum("i,ijk,j->k", n, stress, n) / (n @ exact @ n)
         self.shear = np.einsum("i,ijk,j->k", t, stress, n) / (t @ exact @ n) if shear else None
 
@@ -92,5 +97,11 @@ for name, cells in (("square", (30, 30)), ("hex", (30, 17))):
                 continue    # pressure is a part of both
             block = Block(name, cells, angle)
             block.strained(shear, 5000)
-            judge(report, f"{name}, {angle} degrees, {'sheared' if shear else 'pressed'}", block, shear)
+            what = f"{name}, {angle} degrees, {'sheared' if shear else 'pressed'}"
+            judge(report, what, block, shear)
+for name, cells, angle in (("sc", (12, 12, 22), 0), ("sc", (14, 14, 22), 25),
+                           ("fcc", (9, 9, 16), 0), ("fcc", (9, 9, 16), 25)):
+    block = Block(name, cells, angle)
+    block.strained(True, 1500)
+    judge(report, f"3-D, {name}, {angle} degrees, sheared", block, True)
 report.finish()
