@@ -101,6 +101,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   bool any_pairs;                            // on any processor
   bool resumed;                              // the setup takes the forces of the last step again
   int version, removals;                     // of the bonds when the pairs were listed
+  bool distance_checked;                     // of bodies that are not bonded
 
   std::vector<double> rows;                  // [nlocal+nghost][width], sent to ghosts
   int width, sent_first, sent_count;
@@ -114,6 +115,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void list_pairs();
   int list_members();
   bool counts(int state) const { return states() >> state & 1u; }
+  void warn_if_apart(double nearest);
   template <int D> void fit_pairs();
   template <int D> void evaluate(double dt);
   template <int D> void apply_again();

@@ -25,7 +25,8 @@ using namespace FixConst;
 
 FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), self(true), stiffness(1.0),
-    any_pairs(false), resumed(false), version(-1), removals(0), width(0), sent_first(0),
+    any_pairs(false), resumed(false), version(-1), removals(0),
+    distance_checked(false), width(0), sent_first(0),
     sent_count(0), totals{}, energy(0.0)
 {
   friction.assign(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0));

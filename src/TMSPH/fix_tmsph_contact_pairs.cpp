@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "error.h"
 #include "tmsph_plane_fit.h"
 
 #include <algorithm>
@@ -20,6 +21,10 @@ using namespace TMSPH;
 // pairs that are shorter than this many particle spacings mark the surface between them
 
 static constexpr double SHORT = 1.6;
+
+// bodies whose nearest particles are farther apart than this many spacings do not touch
+
+static constexpr double APART = 1.3;
 
 // moment of inertia, in squared spacings, that marks need to overrule the direction of a bond
 
@@ -139,6 +144,23 @@ void FixTMSPHContact::list_pairs()
 }
 
 /* ----------------------------------------------------------------------
+   @param nearest distance of the nearest particles of bodies that are not bonded,
+                  in spacings
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::warn_if_apart(double nearest)
+{
+  if (distance_checked) return;
+  distance_checked = true;
+  double nearest_of_all;
+  MPI_Allreduce(&nearest, &nearest_of_all, 1, MPI_DOUBLE, MPI_MIN, world);
+  if (nearest_of_all < APART || nearest_of_all == HUGE_VAL || comm->me) return;
+  error->warning(FLERR, "Bodies that are not bonded have their nearest particles {:.3g} spacings "
+                        "apart: fix tmsph/contact {} takes their surfaces to touch there, so let "
+                        "them touch in the reference positions", nearest_of_all, id);
+}
+
+/* ----------------------------------------------------------------------
    The surface between two particles is the plane through the middles of the
    short separated pairs around both. Those of body interfaces and of cracks
    count apart: a crack that runs into an interface has another direction.
@@ -156,6 +178,8 @@ template <int D> void FixTMSPHContact::fit_pairs()
 
   // marks of each particle, about itself
 
+  double nearest = HUGE_VAL;
+
   for (const Member &m : members) {
     Moments<D> marks[2];
     for (int k = 0; k < bonds->count(m.i); k++) {
@@ -167,13 +191,16 @@ template <int D> void FixTMSPHContact::fit_pairs()
         R2 += X[a] * X[a];
         middle[a] = 0.5 * X[a];
       }
-      const double reach = 0.5 * SHORT * (spacing(m.i) + spacing(j));
+      const double size = 0.5 * (spacing(m.i) + spacing(j)), reach = SHORT * size;
       if (R2 < reach * reach) marks[kind(state)].add_point(middle);
+      if (kind(state) == 0) nearest = std::min(nearest, std::sqrt(R2) / size);
     }
     std::copy_n(marks[0].m, SIZE, row(m.i));
     std::copy_n(marks[1].m, SIZE, row(m.i) + SIZE);
   }
   send(0, width);
+
+  warn_if_apart(nearest);
 
   // those around each particle: its own and its family's, in the order of ids; and once more
 
