@@ -156,74 +156,6 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
 }
 
 /* ----------------------------------------------------------------------
-   particles with bonds to another material: their reported stress comes from
-   the bonds to their own; a phase one particle thick falls back to all bonds
-------------------------------------------------------------------------- */
-
-template <int D> void PairTMSPH::build_own_side()
-{
-  const int nlocal = atom->nlocal;
-  const int *type = atom->type;
-  own_side.particle.clear();
-  own_side.valid.clear();
-  own_side.offset.assign(1, 0);
-  own_side_lane.assign(nlocal, -1);
-  std::vector<int> members;
-  for (int i = 0; i < nlocal; i++) {
-    bool mixed = false;
-    for (int k = 0; k < bond_fix->count(i) && !mixed; k++)
-      mixed = type[bond_fix->partner_index(i, k)] != type[i] &&
-          bond_fix->bond_state(i, k) != FixTMSPHBond::UNBONDED;
-    if (mixed) members.push_back(i);
-  }
-  for (size_t first = 0; first < members.size(); first += WIDTH) {
-    const int n = std::min<size_t>(WIDTH, members.size() - first);
-    int rows = 0;
-    for (int l = 0; l < WIDTH; l++) {
-      const int i = members[first + (l < n ? l : 0)];
-      own_side.particle.push_back(i);
-      if (l < n) {
-        own_side_lane[i] = first + l;
-        rows = std::max(rows, bond_fix->count(i));
-      }
-    }
-    own_side.valid.push_back(n);
-    own_side.offset.push_back(own_side.offset.back() + rows);
-  }
-  const size_t size = (size_t) own_side.offset.back() * WIDTH;
-  own_side.weight.assign(size, 0.0f);
-  own_side.partner.assign(size, 0);
-  own_side.own.assign((size_t) own_side.count() * CONSTANTS<D> * WIDTH, 0.0);
-  for (int q = 0; q < own_side.count(); q++)    // pads: no bonds, any partner
-    for (int l = own_side.valid[q]; l < WIDTH; l++)
-      for (int b = 0; b < own_side.offset[q + 1] - own_side.offset[q]; b++)
-        own_side.partner[own_side.at(q, l, b)] = own_side.particle[q * WIDTH + l];
-  for (int i : members) fill_own_side<D>(i);
-}
-
-/* ---------------------------------------------------------------------- */
-
-template <int D> void PairTMSPH::fill_own_side(int i)
-{
-  const int q = own_side_lane[i] / WIDTH, l = own_side_lane[i] % WIDTH;
-  const int rows = own_side.offset[q + 1] - own_side.offset[q];
-  const Slices &all = slices();
-  for (const bool own_only : {true, false}) {
-    for (int k = 0; k < rows; k++) {
-      const size_t at = own_side.at(q, l, k);
-      const bool here = k < bond_fix->count(i);
-      const int j = here ? bond_fix->partner_index(i, k) : i;
-      own_side.partner[at] = j;
-      own_side.weight[at] = here && (!own_only || atom->type[j] == atom->type[i])
-          ? all.weight[all.at(i / WIDTH, i % WIDTH, k)]
-          : 0.0f;
-    }
-    update_shape<D>(own_side, q, l);
-    if (own_side.own[(size_t) q * CONSTANTS<D> * WIDTH + l] != 0.0) return;
-  }
-}
-
-/* ----------------------------------------------------------------------
    displacements, and thermal strains where there are any, of all particles
 ------------------------------------------------------------------------- */
 
@@ -271,18 +203,6 @@ const double *PairTMSPH::step_velocity(int i) const
   if (!stepped) return nullptr;
   return force_row.data() + (domain->dimension == 2 ? (size_t) i * Rows<2>::FORCE + Rows<2>::V
                                                     : (size_t) i * Rows<3>::FORCE + Rows<3>::V);
-}
-
-/* ----------------------------------------------------------------------
-   own-side stress of the local particles, replacing that over all bonds
-------------------------------------------------------------------------- */
-
-template <int D> void PairTMSPH::own_side_stress(bool inverted_breaks)
-{
-  GradientOutput out;
-  out.stress = stress.data();
-  out.inverted_breaks = inverted_breaks;
-  gradient_sweep<D>(on, own_side, 0, own_side.count(), kinematic.data(), out);
 }
 
 /* ----------------------------------------------------------------------
@@ -493,3 +413,8 @@ double PairTMSPH::memory_usage()
   return Pair::memory_usage() + doubles * sizeof(double) + own_side.bytes() +
       own_side_lane.capacity() * sizeof(int);
 }
+
+// for pair_tmsph_own_side.cpp
+
+template void PairTMSPH::update_shape<2>(Slices &, int, int);
+template void PairTMSPH::update_shape<3>(Slices &, int, int);

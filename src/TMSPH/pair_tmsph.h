@@ -160,6 +160,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   template <int D> void prepare();
   template <int D> void build_own_side();
   template <int D> void fill_own_side(int i);
+  template <int D> void fit_own_side(int q, int l, bool one_sided);
   template <int D> void update_shape(TMSPH::Slices &, int q, int l);
   template <int D> void update_kinematics();
   template <int D> void update_velocities();

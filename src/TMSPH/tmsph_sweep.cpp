@@ -86,6 +86,26 @@ TMSPH_INLINE Matrix<D, Lanes> displacement_gradient(const Slices &bonds, int q,
   return product(A, own.shape_inverse());
 }
 
+/// H_i = sum u' g^T
+template <int D, bool THERMAL>
+Matrix<D, Lanes> fitted_gradient(const Slices &bonds, int q, const Own<D> &own,
+                                 const double *kinematic)
+{
+  Matrix<D, Lanes> H;
+  for (int i = 0; i < D; i++)
+    for (int j = 0; j < D; j++) H[i][j] = broadcast(0.0);
+  Lanes other[8];
+  for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
+    const size_t at = (size_t) b * WIDTH;
+    const BondRow<D, THERMAL> bond(own.row, kinematic, bonds.partner.data() + at, other);
+    for (int j = 0; j < D; j++) {
+      const Lanes g = load(bonds.fit.data() + D * at + j * WIDTH);
+      for (int i = 0; i < D; i++) H[i][j] += bond.u[i] * g;
+    }
+  }
+  return H;
+}
+
 template <int D>
 TMSPH_INLINE void store_stress(const Matrix<D, Lanes> &sigma, const int *particle, int n,
                                double *stress)
@@ -109,8 +129,10 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
     const Own<D> own(bonds, q, kinematic);
     const int *particle = bonds.particle.data() + q * WIDTH;
     const int n = bonds.valid[q];
-    const Matrix<D, Lanes> H =
-        displacement_gradient<D, THERMAL == ThermalStrain::BOND>(bonds, q, own, kinematic);
+    constexpr bool HEATED = THERMAL == ThermalStrain::BOND;
+    const Matrix<D, Lanes> H = bonds.fit.empty()
+        ? displacement_gradient<D, HEATED>(bonds, q, own, kinematic)
+        : fitted_gradient<D, HEATED>(bonds, q, own, kinematic);
     const Lanes thermal =
         THERMAL == ThermalStrain::CONSTITUTIVE ? own.thermal_strain() : broadcast(0.0);
     const Matrix<D, Lanes> P = first_piola<LAW>(H, own.lambda(), own.shear(), thermal);

@@ -79,6 +79,8 @@ struct Slices {
   std::vector<int> partner;      ///< [row][8] local or ghost index
   std::vector<float> weight;     ///< [row][8] W_ij; rounded to float once, the same for both ends
   std::vector<double> own;       ///< [slice][CONSTANTS][8]
+  /// [row][D][8] g_ij of another fit than the above, H_i = sum_j u'_ij g_ij^T; empty: none
+  std::vector<double> fit;
 
   int count() const { return (int) valid.size(); }
   /// position of bond number b of the particle in lane l of slice q
@@ -86,7 +88,8 @@ struct Slices {
   size_t bytes() const
   {
     return (particle.capacity() + valid.capacity() + offset.capacity() + partner.capacity()) *
-        sizeof(int) + weight.capacity() * sizeof(float) + own.capacity() * sizeof(double);
+        sizeof(int) + weight.capacity() * sizeof(float) +
+        (own.capacity() + fit.capacity()) * sizeof(double);
   }
 };
 
