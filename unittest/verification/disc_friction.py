@@ -4,7 +4,7 @@ table for bonded inclusions and for those that only touch, with friction 0, 0.3 
 three draws of the strengths. A study, without bars; some minutes:
     TMSPH_LMP=$(./tmsph where) /usr/bin/python3 unittest/verification/disc_friction.py"""
 
-from disc_cracks import *
+from test_disc_cracks import *
 
 print("| interface | draw | first break, C | 5 mm, C | rim, C | main cracks | bonds broken "
       "| left/right at 160, mm | at 230 | at 260 |")
