@@ -56,6 +56,7 @@ void FixTMSPHContact::setup(int vflag)
 {
   v_init(vflag);
   follow(true);
+  if (!resumed) next_search = 0;
   if (domain->dimension == 2)
     resumed ? apply_again<2>() : evaluate<2>(0.0);
   else
@@ -118,7 +119,12 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   std::fill(totals, totals + NTOTALS, 0.0);
   totals[WORK] = work;
   energy = 0.0;
-  if (!any_pairs) return;
+  const bool search_due = update->ntimestep >= next_search || update->dt != search_dt;
+  std::vector<ContactState<D>> states(pairings.size());
+  if (!any_pairs) {
+    if (search_due) search<D>(states);
+    return;
+  }
 
   width = Row::WIDTH;
   rows.resize((size_t) width * (atom->nlocal + atom->nghost));
@@ -141,10 +147,9 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
                          pair->thermal_strain(p)};
   };
-  std::vector<ContactState<D>> states(pairings.size());
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
-    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.record->moved, kernel, horizon, dt);
+    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.moved, kernel, horizon, dt);
   }
   for (const Member &m : members) {
     double stiffness = 0.0;
@@ -165,11 +170,11 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     const double compliance = rows[(size_t) width * p.low + Row::COMPLIANCE] +
         rows[(size_t) width * p.high + Row::COMPLIANCE];
     double heat = 0.0;
-    double *moved = p.record->moved;
+    double *moved = p.moved;
     const double before[2] = {moved[0], moved[1]};
     const double normal = contact_force<D>(p.pair, s, dt * dt * compliance, forces.data() + n * D,
                                            moved, heat);
-    if (p.copy && !std::equal(before, before + 2, moved)) std::copy_n(moved, 2, p.copy->moved);
+    if (p.copy && !std::equal(before, before + 2, moved)) std::copy_n(moved, 2, p.copy);
     totals[WORK] += p.copy ? heat : 0.5 * heat;
     totals[DEEPEST] = std::max(totals[DEEPEST], s.penetration);
     if (normal > 0.0 && p.low < atom->nlocal) {
@@ -199,10 +204,10 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
       }
       if (atom->type[m.i] < atom->type[e.j])
         for (int a = 0; a < 3; a++) {
-          const double *x = atom->x[m.i];
           const int b = (a + 1) % 3, c = (a + 2) % 3;
+          const auto at_surface = [&](int k) { return atom->x[m.i][k] - sign * share * r[k]; };
           totals[FORCE + a] += sign * f[a];
-          totals[TORQUE + a] += sign * (x[b] * f[c] - x[c] * f[b]);
+          totals[TORQUE + a] += sign * (at_surface(b) * f[c] - at_surface(c) * f[b]);
         }
     }
     const double volume = atom->vfrac[m.i];
@@ -212,6 +217,7 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     std::copy_n(memory.couple, 3, memory.couple_before);
     std::copy_n(couple, 3, memory.couple);
   }
+  if (search_due) search<D>(states);
 }
 
 /* ---------------------------------------------------------------------- */

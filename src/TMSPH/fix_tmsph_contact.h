@@ -17,6 +17,7 @@ FixStyle(tmsph/contact,FixTMSPHContact);
 #include "fix.h"
 #include "pair_tmsph.h"
 #include "tmsph_contact_pair.h"
+#include "tmsph_own_surface.h"
 
 #include <cstdint>
 #include <unordered_map>
@@ -61,26 +62,37 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   struct Record {
     tagint partner;
     double moved[2];
+    bool parted;          // they went out of each other's reach; if they come back they meet anew
+  };
+  /** A pair of particles that met later, at both ends. */
+  struct Met {
+    tagint partner;
+    double moved[2];
+    TMSPH::PairGeometry geometry;
   };
   /** What a particle with contacts remembers of its last step. */
   struct Memory {
     double force[3] = {}, stress[6] = {};               // by contact; stress: share of the Cauchy stress
     double couple[3] = {}, couple_before[3] = {};    // for the next step, and of the last
     std::uint64_t stamp = 0;                         // fingerprint at the end of the run
-    std::vector<Record> records;                     // ascending partners
+    std::vector<Record> records;                     // of the reference family, ascending partners
+    std::vector<Met> met;                            // ascending partners
   };
   /** Two particles, at least one of them local, computed once. */
   struct Pairing {
     int low, high;        // by id
-    int kind;             // 0: bodies that are not bonded, 1: faces of a crack or a cut
-    Record *record;       // of a local end
-    Record *copy;         // of the other one if it is local too, or nullptr
+    int kind;             // 0: bodies that are not bonded, 1: faces of a crack or a cut, 2: met later
+    double *moved;        // of a local end
+    double *copy;         // of the other one if it is local too, or nullptr
     TMSPH::ContactPair pair;
   };
   /** One end of a pair, at a local particle. */
   struct End {
     int j, pairing;
     bool low;             // it has the lower id
+    Record *record;       // one of these two, the other is nullptr
+    Met *met;
+    double *moved() const { return record ? record->moved : met->moved; }
   };
   struct Member {
     int i, first, last;    // local particle, its ends
@@ -103,6 +115,14 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   int version, removals;                     // of the bonds when the pairs were listed
   bool distance_checked;                     // of bodies that are not bonded
 
+  std::vector<std::string> region_ids;       // whose surfaces are those of bodies
+  std::vector<class Region *> regions;
+
+  std::vector<TMSPH::Surface> surfaces;      // of local particles
+  int surfaces_version, surfaces_removals;   // of the bonds that they were found from
+  bigint next_search;                        // for particles that meet
+  double search_dt;                          // time step for which that holds
+
   std::vector<double> rows;                  // [nlocal+nghost][width], sent to ghosts
   int width, sent_first, sent_count;
 
@@ -117,11 +137,21 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   bool counts(int state) const { return states() >> state & 1u; }
   void warn_if_apart(double nearest);
   template <int D> void fit_pairs();
+  void set_stiffness(Pairing &, double kappa, double ratio, double closure) const;
+  TMSPH::Surface given_surface(int i) const;
+  template <int D> bool take_given_surfaces(const Pairing &, const double *X,
+                                            TMSPH::PairGeometry &) const;
+  template <int D> void find_surfaces();
+  template <int D> void search(const std::vector<TMSPH::ContactState<D>> &);
+  template <int D> int meet();
+  int part();
+  bool may_meet(int i, int j) const;
+  void plan_search();
   template <int D> void evaluate(double dt);
   template <int D> void apply_again();
   void add_virial();
   void send(int first, int count);
-  static int exchange_size(int nrecords);
+  static int exchange_size(int nrecords, int nmet);
 };
 
 }    // namespace LAMMPS_NS

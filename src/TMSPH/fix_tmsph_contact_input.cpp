@@ -12,6 +12,7 @@
 #include "error.h"
 #include "force.h"
 #include "modify.h"
+#include "region.h"
 #include "tmsph_last_force.h"
 #include "update.h"
 
@@ -20,13 +21,15 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+using TMSPH::PairGeometry;
 
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), self(true), stiffness(1.0),
     any_pairs(false), resumed(false), version(-1), removals(0),
-    distance_checked(false), width(0), sent_first(0),
+    distance_checked(false), surfaces_version(-1), surfaces_removals(0), next_search(0),
+    search_dt(0.0), width(0), sent_first(0),
     sent_count(0), totals{}, energy(0.0)
 {
   friction.assign(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0));
@@ -39,7 +42,7 @@ FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
   thermo_virial = 1;
   restart_global = restart_peratom = 1;
   stores_ids = 1;
-  maxexchange = exchange_size(0);
+  maxexchange = exchange_size(0, 0);
   maxexchange_dynamic = 1;
   comm_forward = 20;
   atom->add_callback(Atom::GROW);
@@ -65,8 +68,8 @@ void FixTMSPHContact::parse(int narg, char **arg)
   while (iarg < narg) {
     const std::string word = arg[iarg];
     const int words = word == "friction" ? 4 : 2;
-    if (word != "friction" && word != "self" && word != "stiffness")
-      unknown(arg[iarg], "friction, self or stiffness");
+    if (word != "friction" && word != "self" && word != "stiffness" && word != "surface")
+      unknown(arg[iarg], "friction, self, stiffness or surface");
     if (iarg + words > narg)
       utils::missing_cmd_args(FLERR, "fix tmsph/contact " + word, error);
     if (word == "friction") {
@@ -79,6 +82,7 @@ void FixTMSPHContact::parse(int narg, char **arg)
       for (int i = ilo; i <= ihi; i++)
         for (int j = jlo; j <= jhi; j++) friction[i][j] = friction[j][i] = value;
     }
+    if (word == "surface") region_ids.push_back(arg[iarg + 1]);
     if (word == "self") self = utils::logical(FLERR, arg[iarg + 1], false, lmp);
     if (word == "stiffness") {
       stiffness = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
@@ -107,25 +111,31 @@ void FixTMSPHContact::init()
     error->all(FLERR, "More than one fix tmsph/contact: give all types in a single one");
   bonds = pair->bonds();
   pair->set_contact(this);
-  version = -1;
+  version = surfaces_version = -1;
+  regions.clear();
+  for (const std::string &name : region_ids) {
+    Region *region = domain->get_region_by_id(name);
+    if (!region)
+      error->all(FLERR, "Region {} of fix tmsph/contact surface does not exist: define it with the "
+                        "command region", name);
+    if (region->dynamic || region->varshape)
+      error->all(FLERR, "Region {} of fix tmsph/contact surface moves: give the surface of a body in "
+                        "the reference positions; it then moves with the body", name);
+    regions.push_back(region);
+  }
   TMSPHLastForce::refuse_later_forces(lmp, this);
-
-  bool apart = false;
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i + 1; j <= atom->ntypes; j++) apart = apart || !pair->bonded(i, j);
-  if (apart && bonds->formed() && bonds->count_bonds(FixTMSPHBond::UNBONDED) == 0 && comm->me == 0)
-    error->warning(FLERR, "No particles of types that are not bonded stood within the horizon of "
-                          "each other when the bonds formed: if bodies should touch, define fix "
-                          "tmsph/contact before the first run");
 }
 
 /* ----------------------------------------------------------------------
-   for one particle: number of pairs, forces and couples, then the pairs
+   for one particle: numbers of pairs, forces and couples, then the pairs of the
+   reference family (a negative id if they parted) and those that met later
 ------------------------------------------------------------------------- */
 
-int FixTMSPHContact::exchange_size(int nrecords)
+static constexpr int GEOMETRY_SIZE = sizeof(PairGeometry) / sizeof(double);
+
+int FixTMSPHContact::exchange_size(int nrecords, int nmet)
 {
-  return 17 + 3 * nrecords;
+  return 18 + 3 * nrecords + (3 + GEOMETRY_SIZE) * nmet;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -140,14 +150,21 @@ int FixTMSPHContact::pack_exchange(int i, double *buf)
   const Memory &memory = found->second;
   double *p = buf;
   *p++ = ubuf((int) memory.records.size()).d;
+  *p++ = ubuf((int) memory.met.size()).d;
   p = std::copy_n(memory.force, 3, p);
   p = std::copy_n(memory.stress, 6, p);
   p = std::copy_n(memory.couple, 3, p);
   p = std::copy_n(memory.couple_before, 3, p);
   *p++ = ubuf((int64_t) memory.stamp).d;
   for (const Record &r : memory.records) {
-    *p++ = ubuf(r.partner).d;
+    *p++ = ubuf(r.parted ? -r.partner : r.partner).d;
     p = std::copy_n(r.moved, 2, p);
+  }
+  for (const Met &met : memory.met) {
+    *p++ = ubuf(met.partner).d;
+    p = std::copy_n(met.moved, 2, p);
+    memcpy(p, &met.geometry, sizeof(PairGeometry));
+    p += GEOMETRY_SIZE;
   }
   return p - buf;
 }
@@ -159,6 +176,7 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
   const double *p = buf;
   const int nrecords = (int) ubuf(*p++).i;
   if (nrecords < 0) return 1;
+  const int nmet = (int) ubuf(*p++).i;
   const auto take = [&p](double *to, int n) {
     std::copy_n(p, n, to);
     p += n;
@@ -171,8 +189,17 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
   memory.stamp = (std::uint64_t) ubuf(*p++).i;
   memory.records.resize(nrecords);
   for (Record &r : memory.records) {
-    r.partner = (tagint) ubuf(*p++).i;
+    const tagint partner = (tagint) ubuf(*p++).i;
+    r.parted = partner < 0;
+    r.partner = r.parted ? -partner : partner;
     take(r.moved, 2);
+  }
+  memory.met.resize(nmet);
+  for (Met &met : memory.met) {
+    met.partner = (tagint) ubuf(*p++).i;
+    take(met.moved, 2);
+    memcpy(&met.geometry, p, sizeof(PairGeometry));
+    p += GEOMETRY_SIZE;
   }
   return p - buf;
 }
@@ -182,21 +209,25 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
 void FixTMSPHContact::write_restart(FILE *fp)
 {
   TMSPHLastForce::stamp(atom, memories);
-  double list[NTOTALS + 1];
+  double list[NTOTALS + 3];
   for (int n = 0; n < NTOTALS; n++) list[n] = compute_vector(n);
   list[NTOTALS] = compute_scalar();
+  list[NTOTALS + 1] = ubuf(next_search).d;
+  list[NTOTALS + 2] = search_dt;
   if (comm->me) return;
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(list, sizeof(double), NTOTALS + 1, fp);
+  fwrite(list, sizeof(double), NTOTALS + 3, fp);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHContact::restart(char *buf)
 {
-  double list[NTOTALS + 1];
+  double list[NTOTALS + 3];
   memcpy(list, buf, sizeof(list));
+  next_search = (bigint) ubuf(list[NTOTALS + 1]).i;
+  search_dt = list[NTOTALS + 2];
   if (comm->me) return;
   std::copy_n(list, (int) NTOTALS, totals);
   energy = list[NTOTALS];
@@ -224,7 +255,7 @@ void FixTMSPHContact::unpack_restart(int nlocal, int nth)
 int FixTMSPHContact::size_restart(int i)
 {
   const auto found = memories.find(atom->tag[i]);
-  return found == memories.end() ? 2 : 1 + exchange_size(found->second.records.size());
+  return found == memories.end() ? 2 : 1 + exchange_size(found->second.records.size(), found->second.met.size());
 }
 
 /* ---------------------------------------------------------------------- */

@@ -56,7 +56,7 @@ void FixTMSPHContact::follow(bool after_breaks)
 /* ----------------------------------------------------------------------
    particles with pairs, and their ends; what is remembered of pairs that are
    still there is kept
-   @return most ends of a particle
+   @return largest room that a particle takes in restarts
 ------------------------------------------------------------------------- */
 
 int FixTMSPHContact::list_members()
@@ -64,47 +64,58 @@ int FixTMSPHContact::list_members()
   std::unordered_map<tagint, Memory> kept;
   members.clear();
   ends.clear();
-  int longest = 0;
+  int largest = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const int first = ends.size();
+    const auto found = memories.find(atom->tag[i]);
+    Memory before;
+    if (found != memories.end()) before = std::move(found->second);
+    std::vector<Record> records;
+    std::vector<int> where;    // local or ghost partner of each record
     for (int k = 0; k < bonds->count(i); k++) {
       if (!counts(bonds->bond_state(i, k))) continue;
+      const tagint partner = bonds->partner_tag(i, k);
       const int j = bonds->partner_index(i, k);
-      if (j == i || !(atom->mask[j] & groupbit)) continue;
-      ends.push_back({j, -1, atom->tag[i] < atom->tag[j]});
-    }
-    const int last = ends.size();
-    if (first == last) continue;
-    Memory &memory = kept[atom->tag[i]];
-    const auto found = memories.find(atom->tag[i]);
-    std::vector<Record> before;
-    if (found != memories.end()) {
-      memory = std::move(found->second);
-      before.swap(memory.records);
-    }
-    memory.records.reserve(last - first);
-    for (int n = first; n < last; n++) {
-      const tagint partner = atom->tag[ends[n].j];
+      if (j != i && !(atom->mask[j] & groupbit)) continue;
       const auto old = std::lower_bound(
-          before.begin(), before.end(), partner,
+          before.records.begin(), before.records.end(), partner,
           [](const Record &r, tagint id) { return r.partner < id; });
-      memory.records.push_back(old != before.end() && old->partner == partner
-                                   ? *old
-                                   : Record{partner, {0.0, 0.0}});
+      const bool known = old != before.records.end() && old->partner == partner;
+      records.push_back(known ? *old : Record{partner, {0.0, 0.0}, false});
+      records.back().parted = records.back().parted || j == i;
+      where.push_back(j);
     }
-    members.push_back({i, first, last, &memory});
-    longest = std::max(longest, last - first);
+    if (records.empty() && before.met.empty()) continue;
+    Memory &memory = kept[atom->tag[i]];
+    memory = std::move(before);
+    memory.records = std::move(records);
+
+    // ends in the order of the partners' ids
+
+    const int first = ends.size();
+    for (size_t n = 0; n < where.size(); n++)
+      if (!memory.records[n].parted)
+        ends.push_back({where[n], -1, atom->tag[i] < memory.records[n].partner,
+                        &memory.records[n], nullptr});
+    for (Met &met : memory.met) {
+      const int j = domain->closest_image(i, atom->map(met.partner));
+      if (j >= 0) ends.push_back({j, -1, atom->tag[i] < met.partner, nullptr, &met});
+    }
+    std::sort(ends.begin() + first, ends.end(), [this](const End &a, const End &b) {
+      return atom->tag[a.j] < atom->tag[b.j];
+    });
+    members.push_back({i, first, (int) ends.size(), &memory});
+    largest = std::max(largest, exchange_size(memory.records.size(), memory.met.size()));
   }
   memories.swap(kept);
-  return longest;
+  return largest;
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHContact::list_pairs()
 {
-  const int longest = list_members();
+  const int largest = list_members();
 
   // the higher end, if both are local, comes back to the pair of the lower one
 
@@ -112,18 +123,16 @@ void FixTMSPHContact::list_pairs()
   std::vector<int> member_of(atom->nlocal, -1);
   for (size_t n = 0; n < members.size(); n++) member_of[members[n].i] = n;
   pairings.clear();
-  const auto add = [&](const Member &m, int n) {
-    End &e = ends[n];
-    int k = 0;
-    while (bonds->partner_tag(m.i, k) != tag[e.j]) k++;
-    const int kind = bonds->bond_state(m.i, k) == FixTMSPHBond::UNBONDED ? 0 : 1;
+  const auto add = [&](const Member &m, End &e) {
+    const int state = e.met ? -1 : bonds->state_with(m.i, tag[e.j]);
+    const int kind = e.met ? 2 : state == FixTMSPHBond::UNBONDED ? 0 : 1;
     e.pairing = pairings.size();
-    pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, kind,
-                        &m.memory->records[n - m.first], nullptr, {}});
+    pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, kind, e.moved(), nullptr, {}});
+    if (e.met) static_cast<PairGeometry &>(pairings.back().pair) = e.met->geometry;
   };
   for (const Member &m : members)
     for (int n = m.first; n < m.last; n++)
-      if (ends[n].low || ends[n].j >= atom->nlocal) add(m, n);
+      if (ends[n].low || ends[n].j >= atom->nlocal) add(m, ends[n]);
   for (const Member &m : members)
     for (int n = m.first; n < m.last; n++) {
       if (ends[n].pairing >= 0) continue;
@@ -132,15 +141,16 @@ void FixTMSPHContact::list_pairs()
           ends.begin() + other.first, ends.begin() + other.last, tag[m.i],
           [tag](const End &e, tagint id) { return tag[e.j] < id; });
       ends[n].pairing = end->pairing;
-      pairings[end->pairing].copy = &m.memory->records[n - m.first];
+      pairings[end->pairing].copy = ends[n].moved();
     }
 
   // restarts are written with one width for all processors
 
-  int longest_of_all;
-  MPI_Allreduce(&longest, &longest_of_all, 1, MPI_INT, MPI_MAX, world);
-  maxexchange = exchange_size(longest_of_all);
-  any_pairs = longest_of_all > 0;
+  const int mine[2] = {largest, !pairings.empty()};
+  int all[2];
+  MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
+  maxexchange = std::max(all[0], exchange_size(0, 0));
+  any_pairs = all[1];
 }
 
 /* ----------------------------------------------------------------------
@@ -158,6 +168,26 @@ void FixTMSPHContact::warn_if_apart(double nearest)
   error->warning(FLERR, "Bodies that are not bonded have their nearest particles {:.3g} spacings "
                         "apart: fix tmsph/contact {} takes their surfaces to touch there, so let "
                         "them touch in the reference positions", nearest_of_all, id);
+}
+
+/* ----------------------------------------------------------------------
+   tangential coordinates of the reference vector X
+------------------------------------------------------------------------- */
+
+template <int D> static void set_origin(const double *X, ContactPair &p)
+{
+  static constexpr double REST[9] = {};
+  double normal[D], tangent[D - 1][D], square = 0.0;
+  for (int a = 0; a < D; a++) {
+    normal[a] = p.normal_low[a] + p.normal_high[a];
+    square += normal[a] * normal[a];
+  }
+  for (int a = 0; a < D; a++) normal[a] /= std::sqrt(square);
+  tangents(normal, REST, p.normal_low, tangent);
+  for (int t = 0; t < D - 1; t++) {
+    p.origin[t] = 0.0;
+    for (int a = 0; a < D; a++) p.origin[t] += tangent[t][a] * X[a];
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -230,11 +260,16 @@ template <int D> void FixTMSPHContact::fit_pairs()
     send(0, width);
   }
 
-  const double kappa = bonds->interior_kappa();
   for (Pairing &pairing : pairings) {
+    set_stiffness(pairing, bonds->interior_kappa(), SHEAR_CLOSURE<D> / CLOSURE<D>, CLOSURE<D>);
+    if (pairing.kind == 2) continue;
     const int low = pairing.low, high = pairing.high, which = pairing.kind * SIZE;
     double X[3], direction[D], R2 = 0.0;
     bonds->reference_vector(low, high, X);
+    if (pairing.kind == 0 && take_given_surfaces<D>(pairing, X, pairing.pair)) {
+      set_origin<D>(X, pairing.pair);
+      continue;
+    }
     for (int a = 0; a < D; a++) R2 += X[a] * X[a];
     for (int a = 0; a < D; a++) direction[a] = X[a] / std::sqrt(R2);
     Moments<D> marks;
@@ -254,21 +289,25 @@ template <int D> void FixTMSPHContact::fit_pairs()
     p.share = marks.m[0] > 0.0 && p.distance > 0.0
         ? std::min(1.0, std::max(0.0, depth / p.distance))
         : 0.5;
-    static constexpr double REST[9] = {};
-    double tangent[D - 1][D];
-    tangents(normal, REST, normal, tangent);
-    for (int t = 0; t < D - 1; t++) {
-      p.origin[t] = 0.0;
-      for (int a = 0; a < D; a++) p.origin[t] += tangent[t][a] * X[a];
-    }
-
-    const Elastic &one = pair->material(atom->type[low]).elastic;
-    const Elastic &other = pair->material(atom->type[high]).elastic;
-    const auto mean = [](double a, double b) { return 2.0 * a * b / (a + b); };
-    const double modulus = mean(one.lambda + 2.0 * one.shear, other.lambda + 2.0 * other.shear);
-    p.shear_ratio = SHEAR_CLOSURE<D> / CLOSURE<D> * mean(one.shear, other.shear) / modulus;
-    p.stiffness = stiffness * CLOSURE<D> * 2.0 * modulus / kappa * atom->vfrac[low] *
-        atom->vfrac[high];
-    p.friction = friction[atom->type[low]][atom->type[high]];
+    set_origin<D>(X, p);
   }
+}
+
+/* ----------------------------------------------------------------------
+   @param ratio   of the constants for shear and for closure
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::set_stiffness(Pairing &pairing, double kappa, double ratio,
+                                    double closure) const
+{
+  const int low = pairing.low, high = pairing.high;
+  const int *type = atom->type;
+  const Elastic &one = pair->material(type[low]).elastic;
+  const Elastic &other = pair->material(type[high]).elastic;
+  const auto mean = [](double a, double b) { return 2.0 * a * b / (a + b); };
+  const double modulus = mean(one.lambda + 2.0 * one.shear, other.lambda + 2.0 * other.shear);
+  pairing.pair.shear_ratio = ratio * mean(one.shear, other.shear) / modulus;
+  pairing.pair.stiffness =
+      stiffness * closure * 2.0 * modulus / kappa * atom->vfrac[low] * atom->vfrac[high];
+  pairing.pair.friction = friction[type[low]][type[high]];
 }

@@ -142,9 +142,15 @@ void FixTMSPHHoekBrown::init()
   armed = false;
   version = -1;
 
-  // fragments may meet
+  // fragments may meet, unless contact of all surfaces sees to that
 
-  neighbor->add_request(this, NeighConst::REQ_FULL);
+  list = nullptr;
+  bool others = false;
+  for (Fix *fix : modify->get_fix_by_style("^tmsph/contact$")) {
+    const auto contact = dynamic_cast<PairTMSPH::Contact *>(fix);
+    others = others || contact->states() >> FixTMSPHBond::BROKEN & 1u;
+  }
+  if (!others) neighbor->add_request(this, NeighConst::REQ_FULL);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -190,7 +196,7 @@ void FixTMSPHHoekBrown::follow_layout()
   debris.leave_out(1u << FixTMSPHBond::INTACT | pair->states_in_contact());
   debris.measure(*bonds);
   comm->forward_comm(this);
-  debris.list_candidates(*list, neighbor->skin, *bonds);
+  if (list) debris.list_candidates(*list, neighbor->skin, *bonds);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -302,7 +308,7 @@ void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touc
 
       if (atom->tag[i] < atom->tag[j]) record(i, k, mean, e);
       bonds->remove_bond(i, k, FixTMSPHBond::BROKEN);
-      debris.add(i, j, *bonds);
+      if (list) debris.add(i, j, *bonds);
       lost = true;
     }
     if (lost) touched.push_back(i);

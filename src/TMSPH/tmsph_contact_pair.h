@@ -26,12 +26,17 @@ namespace TMSPH {
 template <int D> constexpr double CLOSURE = D == 2 ? 0.593 : 0.50;
 template <int D> constexpr double SHEAR_CLOSURE = D == 2 ? 0.69 : 0.67;
 
-/** What a pair keeps while it is in contact. */
-struct ContactPair {
-  double normal_low[3], normal_high[3];    ///< reference normals of the ends, both from low to high
+/** Where the surfaces of a pair are. */
+struct PairGeometry {
+  double normal_low[3], normal_high[3];    ///< reference normals of the ends, both from low to high;
+                                           ///< 0 of a loose particle, which has no surface
   double distance;         ///< D, of the two particles along the normal when the surfaces just touch
-  double origin[2];        ///< tangential coordinates of the high end in the reference
   double share;            ///< depth of the low end below its surface/sum of both depths
+};
+
+/** What a pair keeps while it is in contact. */
+struct ContactPair : PairGeometry {
+  double origin[2];        ///< tangential coordinates of the high end in the reference
   double stiffness;        ///< k_n/w
   double shear_ratio;      ///< k_t/k_n
   double friction;         ///< coefficient
@@ -52,6 +57,7 @@ template <int D> struct ContactState {
   double predicted;               ///< at the end of the step; positive: active
   double slip[D - 1];             ///< at the end of the step, from where friction is zero
   double stretch;                 ///< 1 + thermal strain
+  double lean;                    ///< cosine of half the angle between the normals of the ends
 };
 
 /// direction of F^-T N, of unit length; N itself where F is inside out
@@ -113,26 +119,35 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
                                      Kernel kernel, double horizon, double dt)
 {
   ContactState<D> s;
-  double n_low[D], n_high[D], square = 0.0;
+  double n_low[D], n_high[D], square = 0.0, both = 0.0;
   carried_normal<D>(low.H, pair.normal_low, n_low);
   carried_normal<D>(high.H, pair.normal_high, n_high);
   for (int a = 0; a < D; a++) {
+    s.r[a] = high.x[a] - low.x[a];
     s.normal[a] = n_low[a] + n_high[a];
     square += s.normal[a] * s.normal[a];
+    both += n_low[a] * n_low[a] + n_high[a] * n_high[a];
   }
+
+  // two loose particles have the line between them as normal. Where two surfaces turn from one end
+  // to the other, depths s below them add up to (s_i + s_j) times the cosine of half the angle
+
+  if (both == 0.0)
+    for (int a = 0; a < D; a++) square += s.r[a] * s.r[a];
+  const double length = std::sqrt(square);
   for (int a = 0; a < D; a++)
-    s.normal[a] = square > 0.0 ? s.normal[a] / std::sqrt(square) : n_low[a];
+    s.normal[a] = length > 0.0 ? (both == 0.0 ? s.r[a] : s.normal[a]) / length : n_low[a];
+  s.lean = both > 1.5 ? 0.5 * length : 1.0;
   tangents(s.normal, low.H, pair.normal_low, s.tangent);
 
   double next[D], apart = 0.0, apart_next = 0.0;
   for (int a = 0; a < D; a++) {
-    s.r[a] = high.x[a] - low.x[a];
     next[a] = s.r[a] + dt * (high.v[a] - low.v[a]) + dt * dt * (high.a[a] - low.a[a]);
     apart += s.normal[a] * s.r[a];
     apart_next += s.normal[a] * next[a];
   }
   s.stretch = 1.0 + 0.5 * (low.thermal + high.thermal);
-  const double touching = pair.distance * s.stretch;
+  const double touching = pair.distance * s.stretch * s.lean;
   double R2 = pair.distance * pair.distance;
   for (int k = 0; k < D - 1; k++) {
     double tau = 0.0, tau_next = 0.0;
