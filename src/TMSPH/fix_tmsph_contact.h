@@ -117,6 +117,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
 
   std::vector<std::string> region_ids;       // whose surfaces are those of bodies
   std::vector<class Region *> regions;
+  bool sides_checked;                        // of the particles at these
 
   std::vector<TMSPH::Surface> surfaces;      // of local particles
   int surfaces_version, surfaces_removals;   // of the bonds that they were found from
@@ -140,7 +141,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void set_stiffness(Pairing &, double kappa, double ratio, double closure) const;
   TMSPH::Surface given_surface(int i) const;
   template <int D> bool take_given_surfaces(const Pairing &, const double *X,
-                                            TMSPH::PairGeometry &) const;
+                                            TMSPH::PairGeometry &);
   template <int D> void find_surfaces();
   template <int D> void search(const std::vector<TMSPH::ContactState<D>> &);
   template <int D> int meet();

@@ -28,7 +28,7 @@ using TMSPH::PairGeometry;
 FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), self(true), stiffness(1.0),
     any_pairs(false), resumed(false), version(-1), removals(0),
-    distance_checked(false), surfaces_version(-1), surfaces_removals(0), next_search(0),
+    distance_checked(false), sides_checked(false), surfaces_version(-1), surfaces_removals(0), next_search(0),
     search_dt(0.0), width(0), sent_first(0),
     sent_count(0), totals{}, energy(0.0)
 {

@@ -9,6 +9,7 @@
 
 #include "atom.h"
 #include "domain.h"
+#include "error.h"
 #include "region.h"
 #include "tmsph_cells.h"
 #include "update.h"
@@ -26,6 +27,10 @@ static constexpr double PARTING = 1.1;
 // cosine of the angle between the outward normals of surfaces that face each other, at most
 
 static constexpr double FACING = -0.3;
+
+// and of two particles that are certainly on the same side of a surface, at least
+
+static constexpr double SAME_SIDE = 0.9;
 
 // two particles may come closer by this share of the horizon between searches: within it the kernel
 // has a thousandth of its middle value
@@ -80,7 +85,7 @@ Surface FixTMSPHContact::given_surface(int i) const
 
 template <int D>
 bool FixTMSPHContact::take_given_surfaces(const Pairing &p, const double *X,
-                                          PairGeometry &geometry) const
+                                          PairGeometry &geometry)
 {
   if (regions.empty()) return false;
   const Surface one = given_surface(p.low), other = given_surface(p.high);
@@ -91,6 +96,12 @@ bool FixTMSPHContact::take_given_surfaces(const Pairing &p, const double *X,
     apart += 0.5 * (one.normal[a] - other.normal[a]) * X[a];
   }
   const double square = 0.5 * (1.0 - facing);    // of the length of half the difference: of "lean"
+  if (facing > SAME_SIDE && !sides_checked) {
+    sides_checked = true;
+    error->warning(FLERR, "Particles {} and {} are not bonded but on the same side of the surface of "
+                          "fix tmsph/contact: give the region by which they got their types",
+                   atom->tag[p.low], atom->tag[p.high]);
+  }
   if (facing > FACING || apart <= 0.0) return false;
   for (int a = 0; a < 3; a++) {
     geometry.normal_low[a] = one.normal[a];
@@ -102,9 +113,9 @@ bool FixTMSPHContact::take_given_surfaces(const Pairing &p, const double *X,
 }
 
 template bool FixTMSPHContact::take_given_surfaces<2>(const Pairing &, const double *,
-                                                      PairGeometry &) const;
+                                                      PairGeometry &);
 template bool FixTMSPHContact::take_given_surfaces<3>(const Pairing &, const double *,
-                                                      PairGeometry &) const;
+                                                      PairGeometry &);
 
 /* ---------------------------------------------------------------------- */
 

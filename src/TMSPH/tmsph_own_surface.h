@@ -74,10 +74,10 @@ template <int D> class OwnSurface {
   }
 
  private:
-  // length of the sum of all bonds/sum of their lengths that a surface has at least: of the third
-  // row below a flat one it is 0.05, of a lattice jittered by a fifth about 0.03
+  // length of the sum of all weighted bonds/sum of their lengths that a surface has at least: of the
+  // second row below a flat one it is 0.06 in 2-D, 0.04 in 3-D; the third has none
 
-  static constexpr double ONE_SIDED = 0.05;
+  static constexpr double ONE_SIDED = 0.03;
   std::vector<double> ends;
   double sum[D] = {}, all = 0.0;
 };
