@@ -144,13 +144,16 @@ void FixTMSPHHoekBrown::init()
 
   // fragments may meet, unless contact of all surfaces sees to that
 
-  list = nullptr;
   bool others = false;
   for (Fix *fix : modify->get_fix_by_style("^tmsph/contact$")) {
     const auto contact = dynamic_cast<PairTMSPH::Contact *>(fix);
     others = others || contact->states() >> FixTMSPHBond::BROKEN & 1u;
   }
-  if (!others) neighbor->add_request(this, NeighConst::REQ_FULL);
+
+  // an unchanged request keeps its list: LAMMPS does not hand it over again
+
+  if (others) list = nullptr;
+  else neighbor->add_request(this, NeighConst::REQ_FULL);
 }
 
 /* ---------------------------------------------------------------------- */
