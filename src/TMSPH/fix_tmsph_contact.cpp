@@ -149,7 +149,8 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   };
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
-    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.moved, kernel, horizon, dt);
+    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.moved, kernel, horizon,
+                                 ahead(law, dt));
   }
   for (const Member &m : members) {
     double stiffness = 0.0;
@@ -166,13 +167,17 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   std::vector<double> forces(pairings.size() * D), heats(pair->keeps_touches() ? pairings.size() : 0);
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
-    const ContactState<D> &s = states[n];
-    const double compliance = rows[(size_t) width * p.low + Row::COMPLIANCE] +
+    ContactState<D> &s = states[n];
+    const double frequency = rows[(size_t) width * p.low + Row::COMPLIANCE] +
         rows[(size_t) width * p.high + Row::COMPLIANCE];
     double heat = 0.0;
     double *moved = p.moved;
     const double before[2] = {moved[0], moved[1]};
-    const double normal = contact_force<D>(p.pair, s, dt * dt * compliance, forces.data() + n * D,
+    if (law == ContactLaw::PAPER && frequency > 0.0) {
+      s.stiffness = stiffness * paper_stiffness(s.stiffness / frequency, update->dt);
+      s.shear_ratio = 1.0;
+    }
+    const double normal = contact_force<D>(law, p.pair, s, frequency, dt, forces.data() + n * D,
                                            moved, heat);
     if (p.copy && !std::equal(before, before + 2, moved)) std::copy_n(moved, 2, p.copy);
     totals[WORK] += p.copy ? heat : 0.5 * heat;
@@ -242,8 +247,7 @@ void FixTMSPHContact::keep_touches(const std::vector<ContactState<D>> &states,
       double normal = 0.0;
       for (int a = 0; a < D; a++) normal += forces[(size_t) e.pairing * D + a] * s.normal[a];
       if (!(normal > 0.0)) continue;
-      const double weight =
-          s.stiffness / p.pair.stiffness * atom->vfrac[p.low] * atom->vfrac[p.high];
+      const double weight = s.weight * atom->vfrac[p.low] * atom->vfrac[p.high];
       memory.pressed.push_back({atom->tag[e.j], weight, p.pair.distance});
       memory.rubbed += 0.5 * heats[e.pairing];
     }

@@ -111,6 +111,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   PairTMSPH *pair;
   FixTMSPHBond *bonds;
   bool self;                                 // faces of cracks and cuts touch too
+  TMSPH::ContactLaw law;
   double stiffness;                          // factor to the default
   std::vector<std::vector<double>> friction;    // by type and type
 

@@ -26,7 +26,8 @@ using TMSPH::PairGeometry;
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), self(true), stiffness(1.0),
+    Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), self(true),
+    law(TMSPH::ContactLaw::IMPLICIT), stiffness(1.0),
     any_pairs(false), resumed(false), version(-1), removals(0),
     distance_checked(false), sides_checked(false), surfaces_version(-1), surfaces_removals(0), next_search(0),
     search_dt(0.0), width(0), sent_first(0),
@@ -68,8 +69,9 @@ void FixTMSPHContact::parse(int narg, char **arg)
   while (iarg < narg) {
     const std::string word = arg[iarg];
     const int words = word == "friction" ? 4 : 2;
-    if (word != "friction" && word != "self" && word != "stiffness" && word != "surface")
-      unknown(arg[iarg], "friction, self, stiffness or surface");
+    if (word != "friction" && word != "self" && word != "stiffness" && word != "surface" &&
+        word != "law")
+      unknown(arg[iarg], "friction, law, self, stiffness or surface");
     if (iarg + words > narg)
       utils::missing_cmd_args(FLERR, "fix tmsph/contact " + word, error);
     if (word == "friction") {
@@ -82,6 +84,9 @@ void FixTMSPHContact::parse(int narg, char **arg)
       for (int i = ilo; i <= ihi; i++)
         for (int j = jlo; j <= jhi; j++) friction[i][j] = friction[j][i] = value;
     }
+    if (word == "law" && !named(arg[iarg + 1], law))
+      error->all(FLERR, "Unknown law '{}' of fix tmsph/contact: use implicit, penalty or paper",
+                 arg[iarg + 1]);
     if (word == "surface") region_ids.push_back(arg[iarg + 1]);
     if (word == "self") self = utils::logical(FLERR, arg[iarg + 1], false, lmp);
     if (word == "stiffness") {

@@ -14,7 +14,6 @@
 #include "input.h"
 #include "modify.h"
 #include "pair_tmsph.h"
-#include "tmsph_contact_law.h"
 #include "tmsph_last_force.h"
 #include "update.h"
 #include "variable.h"
@@ -24,16 +23,6 @@
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
-
-// k = HALF_CELL E' A/dx per particle stands for the half cell between its centre and the surface.
-// Calibrated on blocks of square lattice, Wendland kernel, horizon 3.015 dx and hourglass 0.1, so
-// that a compressed block becomes as stiff as the continuum with refinement.
-
-static constexpr double HALF_CELL = 1.135;
-static constexpr double LARGEST_STRAIN = 0.25;    // of the half cell, for its softening
-static constexpr double TANGENTIAL = 0.4;    // k_t/k
-static constexpr double DAMPING = 0.2;       // of critical, of the explicit penalty
-static constexpr double PAPER = 2.0;         // F = 2 m/dt^2 d: Mu et al. (2022), Eqs. 14, 15
 
 // how far behind the surface a centre is still held, in half cells
 
@@ -120,21 +109,15 @@ double FixTMSPHWall::gap_of(int i) const
   return 0.5 * std::pow(atom->vfrac[i], 1.0 / domain->dimension) * (1.0 + pair->thermal_strain(i));
 }
 
-/* ----------------------------------------------------------------------
-   secant of the half cell. St Venant-Kirchhoff in uniaxial compression by e:
-   E' (1 - e)(1 - (1 - e)^2)/2 = E' e (1 - e)(1 - e/2) per reference area
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 double FixTMSPHWall::stiffness_of(int i, double penetration, double dt) const
 {
-  if (law == PAPER) return stiffness * PAPER * atom->rmass[i] / (dt * dt);
+  if (law == ContactLaw::PAPER) return stiffness * paper_stiffness(atom->rmass[i], dt);
   const auto &material = pair->material(atom->type[i]);
-  const double modulus = material.young / (1.0 - material.poisson * material.poisson);
-  const double spacing = std::pow(atom->vfrac[i], 1.0 / domain->dimension);
-  const double strain = std::min(LARGEST_STRAIN,
-                                 std::max(0.0, stiffness * HALF_CELL * penetration / spacing));
-  return stiffness * HALF_CELL * modulus * atom->vfrac[i] / (spacing * spacing) * (1.0 - strain) *
-      (1.0 - 0.5 * strain);
+  const HalfCell cell = {material.young / (1.0 - material.poisson * material.poisson),
+                         std::pow(atom->vfrac[i], 1.0 / domain->dimension)};
+  return half_cells(&cell, 1, stiffness, penetration) * atom->vfrac[i] / cell.spacing;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -185,7 +168,7 @@ void FixTMSPHWall::follow()
 void FixTMSPHWall::find_touching(double dt)
 {
   touching.clear();
-  const double ahead = law == IMPLICIT ? dt : 0.0;
+  const double ahead = TMSPH::ahead(law, dt);
   for (int i : candidates) {
     const Point x = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
     const Point body = motion.to_body(x);
@@ -227,8 +210,8 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
 {
   const int i = t.i;
   const double m = atom->rmass[i], k = t.stiffness;
-  const double ahead = law == IMPLICIT ? dt : 0.0;
-  const double q = law == IMPLICIT ? dt * dt * k / m + dragged : 0.0;
+  const double ahead = TMSPH::ahead(law, dt);
+  const double q = ahead * ahead * k / m + dragged;
   const Point x = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
   const Point wall = motion.velocity_at(x);
 
@@ -237,12 +220,12 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
     implicit_corner(k, q, dot(t.place[0].normal, t.place[1].normal), t.predicted, normal);
   else
     normal[0] = implicit_normal(k, q, t.predicted[0]);
-  if (law == PENALTY && dt > 0.0)
+  if (law == ContactLaw::PENALTY && dt > 0.0)
     for (int p = 0; p < t.places; p++) {
       double closing = 0.0;
       for (int a = 0; a < 3; a++) closing -= t.place[p].normal[a] * (atom->v[i][a] - wall[a]);
       if (t.penetration[p] > 0.0)
-        normal[p] = std::max(0.0, normal[p] + 2.0 * DAMPING * std::sqrt(k * m) * closing);
+        normal[p] = damped_normal(normal[p], k, k / m, closing);
     }
 
   const bool held = normal[0] > 0.0 || normal[1] > 0.0 || t.penetration[0] > 0.0 ||
@@ -290,7 +273,7 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
     }
     const double along = dot(slip, place.normal);
     for (int a = 0; a < 3; a++) slip[a] -= along * place.normal[a];
-    const double kt = law == PAPER ? k : TANGENTIAL * k;
+    const double kt = law == ContactLaw::PAPER ? k : TANGENTIAL * k;
     Point rubbing, excess, moved;
     implicit_friction<3>(kt, q * kt / k, friction * normal[p], slip.data(), rubbing.data(),
                          excess.data());
@@ -330,7 +313,7 @@ void FixTMSPHWall::act(double dt)
   energy = 0.0;
   find_touching(dt);
   double dragged = 0.0;
-  if (mass > 0.0 && law == IMPLICIT) {
+  if (mass > 0.0 && law == ContactLaw::IMPLICIT) {
     std::vector<Point> stiff;
     for (const Touching &t : touching)
       if (t.predicted[0] > 0.0 || (t.places == 2 && t.predicted[1] > 0.0))

@@ -14,6 +14,7 @@ FixStyle(tmsph/wall,FixTMSPHWall);
 #define LMP_FIX_TMSPH_WALL_H
 
 #include "fix.h"
+#include "tmsph_contact_law.h"
 #include "tmsph_rigid_motion.h"
 #include "tmsph_wall_shape.h"
 
@@ -80,12 +81,10 @@ class FixTMSPHWall : public Fix {
     double stiffness;
   };
 
-  enum Law { IMPLICIT, PENALTY, PAPER };
-
   class PairTMSPH *pair;
   std::unique_ptr<TMSPH::WallShape> shape;
   TMSPH::RigidMotion motion;
-  Law law;
+  TMSPH::ContactLaw law;
   double friction, stiffness;    // stiffness: factor to the default
   bool both_sides;
   Input velocity[3], spin;       // prescribed

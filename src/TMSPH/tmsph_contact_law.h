@@ -10,8 +10,76 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace TMSPH {
+
+/** IMPLICIT: answers the penetration at the end of the step. PENALTY: that of now, with damping.
+    PAPER: 2 m/dt^2 as stiffness, which throws a lone particle back in one step: Mu et al. (2022),
+    Eqs. 14 and 15. */
+enum class ContactLaw { IMPLICIT, PENALTY, PAPER };
+
+/// @return false for a word that is none of the laws
+inline bool named(const std::string &word, ContactLaw &law)
+{
+  law = word == "paper" ? ContactLaw::PAPER
+      : word == "penalty" ? ContactLaw::PENALTY
+                          : ContactLaw::IMPLICIT;
+  return law != ContactLaw::IMPLICIT || word == "implicit";
+}
+
+/// the time that a law looks ahead
+inline double ahead(ContactLaw law, double dt)
+{
+  return law == ContactLaw::IMPLICIT ? dt : 0.0;
+}
+
+/// stiffness of the law PAPER for partners of effective mass m
+inline double paper_stiffness(double m, double dt)
+{
+  return 2.0 * m / (dt * dt);
+}
+
+/** Normal force of the law PENALTY.
+    @param force     of the spring, whose partners touch
+    @param frequency squared, of the partners on all their springs
+    @param closing   velocity */
+inline double damped_normal(double force, double stiffness, double frequency, double closing)
+{
+  constexpr double DAMPING = 0.2;    // of critical
+  return std::max(0.0, force + 2.0 * DAMPING * stiffness / std::sqrt(frequency) * closing);
+}
+
+/** A force per area that depends on the penetration p of two surfaces stands for the half cells
+    between them and the centres of the outermost particles: k = 1/sum(dx/(HALF_CELL E')), with
+    E' = E/(1 - nu^2) and the spacing dx on each side. HALF_CELL is calibrated on blocks of square
+    lattice, Wendland kernel, horizon 3.015 dx and hourglass 0.1, so that a compressed block becomes
+    as stiff as the continuum with refinement. */
+constexpr double HALF_CELL = 1.135;
+/// stiffness along the surface/across it
+constexpr double TANGENTIAL = 0.4;
+
+/** One side of it; see half_cells(). */
+struct HalfCell {
+  double modulus, spacing;    ///< E', dx
+};
+
+/** Secant stiffness per area. St Venant-Kirchhoff material in uniaxial compression by e carries
+    E' (1 - e)(1 - (1 - e)^2)/2 = E' e (1 - e)(1 - e/2) per reference area.
+    @param factor to the stiffness
+    @param count  1 against a rigid wall, or 2 */
+inline double half_cells(const HalfCell *side, int count, double factor, double penetration)
+{
+  constexpr double LARGEST_STRAIN = 0.25;
+  double soft = 0.0, strain = 0.0;
+  for (int k = 0; k < count; k++) soft += side[k].spacing / (HALF_CELL * side[k].modulus);
+  const double stiffness = factor / soft;
+  for (int k = 0; k < count; k++)    // mean of both, by their shares of the penetration
+    strain += side[k].spacing / (HALF_CELL * side[k].modulus * soft) * stiffness *
+        std::max(0.0, penetration) / side[k].modulus;
+  strain = std::min(LARGEST_STRAIN, strain);
+  return stiffness * (1.0 - strain) * (1.0 - 0.5 * strain);
+}
 
 /** Implicit penalty. The spring of stiffness k answers the penetration at the end of the step, when
     the force has already acted: with p the penetration that the partners would reach without it,

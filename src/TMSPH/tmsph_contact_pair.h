@@ -52,7 +52,10 @@ template <int D> struct ContactEnd {
 /** What a step makes of a pair before any contact has acted. */
 template <int D> struct ContactState {
   double r[D], normal[D], tangent[D - 1][D];
+  double weight;                  ///< w
   double stiffness;               ///< k_n
+  double shear_ratio;             ///< k_t/k_n
+  double closing;                 ///< velocity
   double penetration;             ///< now
   double predicted;               ///< at the end of the step; positive: active
   double slip[D - 1];             ///< at the end of the step, from where friction is zero
@@ -159,24 +162,33 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
     s.slip[k] = tau_next - s.stretch * (pair.origin[k] + moved[k]);
   }
   const double R = std::max(std::sqrt(R2), 1.0e-3 * horizon);    // w has a limit at 0
-  s.stiffness = pair.stiffness * kernel_slope(kernel, D, R, horizon);
+  s.weight = kernel_slope(kernel, D, R, horizon);
+  s.stiffness = pair.stiffness * s.weight;
+  s.shear_ratio = pair.shear_ratio;
+  s.closing = 0.0;
+  for (int a = 0; a < D; a++) s.closing -= s.normal[a] * (high.v[a] - low.v[a]);
   s.penetration = touching - apart;
   s.predicted = touching - apart_next;
   return s;
 }
 
 /** Force on the high end; the low end gets the opposite.
-    @param q     dt^2 (Kc_low/m_low + Kc_high/m_high), Kc = sum of k_n over the active pairs of an end
+    @param frequency Kc_low/m_low + Kc_high/m_high, Kc = sum of k_n over the active pairs of an end
+    @param dt    0: nothing is predicted
     @param moved grows by the excess of a sliding pair
     @param heat  energy that friction took, added
     @return the normal force */
 template <int D>
-inline double contact_force(const ContactPair &pair, const ContactState<D> &s, double q,
-                            double *force, double *moved, double &heat)
+inline double contact_force(ContactLaw law, const ContactPair &pair, const ContactState<D> &s,
+                            double frequency, double dt, double *force, double *moved,
+                            double &heat)
 {
-  const double normal = implicit_normal(s.stiffness, q, s.predicted);
+  const double q = ahead(law, dt) * ahead(law, dt) * frequency;
+  double normal = implicit_normal(s.stiffness, q, s.predicted);
+  if (law == ContactLaw::PENALTY && normal > 0.0)
+    normal = damped_normal(normal, s.stiffness, frequency, s.closing);
   double friction[D - 1], excess[D - 1];
-  const double ratio = pair.shear_ratio;
+  const double ratio = s.shear_ratio;
   implicit_friction<D - 1>(ratio * s.stiffness, ratio * q, pair.friction * normal, s.slip, friction,
                            excess);
   for (int a = 0; a < D; a++) force[a] = normal * s.normal[a];
