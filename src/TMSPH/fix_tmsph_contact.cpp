@@ -19,18 +19,12 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// what a step tells of each particle: F - I, velocity, acceleration, compliance Kc/m
-
-template <int D> struct ContactRow {
-  static constexpr int H = 0, V = D * D, A = V + D, COMPLIANCE = A + D, WIDTH = COMPLIANCE + 1;
-};
-
 /* ---------------------------------------------------------------------- */
 
 unsigned FixTMSPHContact::states() const
 {
   const unsigned faces = 1u << FixTMSPHBond::BROKEN | 1u << FixTMSPHBond::CUT;
-  return 1u << FixTMSPHBond::UNBONDED | (self ? faces : 0u);
+  return (segments ? 0u : 1u << FixTMSPHBond::UNBONDED) | (self ? faces : 0u);
 }
 
 /* ----------------------------------------------------------------------
@@ -120,13 +114,14 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   totals[WORK] = work;
   energy = 0.0;
   const bool search_due = update->ntimestep >= next_search || update->dt != search_dt;
+  const bool facing = segments && segments->any;
   std::vector<ContactState<D>> states(pairings.size());
-  if (!any_pairs) {
+  if (!any_pairs && !facing) {
     if (search_due) search<D>(states);
     return;
   }
 
-  width = Row::WIDTH;
+  width = facing ? SegmentRow::WIDTH : Row::WIDTH;
   rows.resize((size_t) width * (atom->nlocal + atom->nghost));
   const double *gradient = pair->step_gradient();
   for (const Member &m : members) {
@@ -152,8 +147,9 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.moved, kernel, horizon,
                                  ahead(law, dt));
   }
+  if (facing) find_places(dt);
   for (const Member &m : members) {
-    double stiffness = 0.0;
+    double stiffness = facing ? segment_stiffness(m.i) : 0.0;
     for (int n = m.first; n < m.last; n++) {
       const ContactState<D> &s = states[ends[n].pairing];
       if (s.predicted > 0.0) stiffness += s.stiffness;
@@ -161,6 +157,8 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     rows[(size_t) width * m.i + Row::COMPLIANCE] = stiffness / atom->rmass[m.i];
   }
   send(Row::COMPLIANCE, 1);
+
+  if (facing) hold_places(dt);
 
   // forces on the higher ends
 
@@ -191,8 +189,8 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   }
 
   for (const Member &m : members) {
-    Memory &memory = *m.memory;
-    double force[3] = {}, stress[6] = {}, couple[3] = {};
+    Effect effect;
+    if (facing) add_places(m.i, effect);
     for (int n = m.first; n < m.last; n++) {
       const End &e = ends[n];
       const ContactPair &pair = pairings[e.pairing].pair;
@@ -200,14 +198,7 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
       std::copy_n(forces.data() + (size_t) e.pairing * D, D, f);
       std::copy_n(states[e.pairing].r, D, r);
       const double sign = e.low ? -1.0 : 1.0, share = e.low ? pair.share : 1.0 - pair.share;
-      const double part = 0.25 + 0.5 * share;    // of the stress: by depth and evenly, the mean
-      for (int a = 0; a < 3; a++) {
-        force[a] += sign * f[a];
-        couple[a] -= share * (r[(a + 1) % 3] * f[(a + 2) % 3] - r[(a + 2) % 3] * f[(a + 1) % 3]);
-        stress[a] -= part * f[a] * r[a];
-        stress[3 + a] -= 0.5 * part * (a < 2 ? f[0] * r[a + 1] + f[a + 1] * r[0]
-                                             : f[1] * r[2] + f[2] * r[1]);
-      }
+      effect.add(sign, share, f, r);
       if (atom->type[m.i] < atom->type[e.j])
         for (int a = 0; a < 3; a++) {
           const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -216,15 +207,41 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
           totals[TORQUE + a] += sign * (at_surface(b) * f[c] - at_surface(c) * f[b]);
         }
     }
-    const double volume = atom->vfrac[m.i];
-    for (int a = 0; a < D; a++) atom->f[m.i][a] += force[a];
-    std::copy_n(force, 3, memory.force);
-    for (int k = 0; k < 6; k++) memory.stress[k] = stress[k] / volume;
-    std::copy_n(memory.couple, 3, memory.couple_before);
-    std::copy_n(couple, 3, memory.couple);
+    acts_on(effect, m);
   }
   if (pair->keeps_touches()) keep_touches<D>(states, forces, heats);
   if (search_due) search<D>(states);
+}
+
+/* ----------------------------------------------------------------------
+   half of a contact, between two points
+   @param sign  1 at the second of them, on which f acts, -1 at the first
+   @param share depth of the particle below its surface/sum of both depths
+   @param r     from the first point to the second
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::Effect::add(double sign, double share, const double *f, const double *r)
+{
+  const double part = 0.25 + 0.5 * share;    // of the stress: by depth and evenly, the mean
+  for (int a = 0; a < 3; a++) {
+    force[a] += sign * f[a];
+    couple[a] -= share * (r[(a + 1) % 3] * f[(a + 2) % 3] - r[(a + 2) % 3] * f[(a + 1) % 3]);
+    stress[a] -= part * f[a] * r[a];
+    stress[3 + a] -= 0.5 * part * (a < 2 ? f[0] * r[a + 1] + f[a + 1] * r[0]
+                                         : f[1] * r[2] + f[2] * r[1]);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::acts_on(const Effect &effect, const Member &m)
+{
+  Memory &memory = *m.memory;
+  for (int a = 0; a < domain->dimension; a++) atom->f[m.i][a] += effect.force[a];
+  std::copy_n(effect.force, 3, memory.force);
+  for (int k = 0; k < 6; k++) memory.stress[k] = effect.stress[k] / atom->vfrac[m.i];
+  std::copy_n(memory.couple, 3, memory.couple_before);
+  std::copy_n(effect.couple, 3, memory.couple);
 }
 
 /* ----------------------------------------------------------------------
@@ -251,6 +268,7 @@ void FixTMSPHContact::keep_touches(const std::vector<ContactState<D>> &states,
       memory.pressed.push_back({atom->tag[e.j], weight, p.pair.distance});
       memory.rubbed += 0.5 * heats[e.pairing];
     }
+    if (segments && segments->any) keep_places(m.i, memory);
   }
 }
 

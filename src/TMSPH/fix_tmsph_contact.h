@@ -19,8 +19,34 @@ FixStyle(tmsph/contact,FixTMSPHContact);
 #include "tmsph_contact_pair.h"
 #include "tmsph_own_surface.h"
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
+
+namespace TMSPH {
+
+/** Two particles may come closer by this share of the horizon between searches: within it the
+    kernel has a thousandth of its middle value. */
+constexpr double SEARCH_MARGIN = 0.1;
+
+/** What a force evaluation tells of each particle: F - I, velocity, acceleration, compliance Kc/m. */
+template <int D> struct ContactRow {
+  static constexpr int H = 0, V = D * D, A = V + D, COMPLIANCE = A + D, WIDTH = COMPLIANCE + 1;
+};
+
+/** And of its places at segments: the ids of the ends, the share of the second, stiffness; then
+    force, from the particle to the place, distance when touching, normal force, heat, share of the
+    particle in the sum of the depths. */
+struct SegmentRow : ContactRow<2> {
+  static constexpr int PLACES = 2;
+  static constexpr int START = 0, END = 1, ALONG = 2, STIFFNESS = 3, WHERE_SIZE = 4;
+  static constexpr int F = 0, R = 2, TOUCHING = 4, NORMAL = 5, HEAT = 6, SHARE = 7, FORCE_SIZE = 8;
+  static constexpr int WHERE = ContactRow<2>::WIDTH, FORCE = WHERE + PLACES * WHERE_SIZE,
+                       WIDTH = FORCE + PLACES * FORCE_SIZE;
+};
+
+}    // namespace TMSPH
 
 namespace LAMMPS_NS {
 
@@ -77,6 +103,12 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
     tagint partner;
     double weight, distance;
   };
+  /** Where friction is zero, of a particle that touches a segment: along it from its first end and
+      to its left, in its lengths. */
+  struct Anchor {
+    tagint start, end;
+    double along, left;
+  };
   /** What a particle with contacts remembers of its last step. */
   struct Memory {
     double force[3] = {}, stress[6] = {};               // by contact; stress: share of the Cauchy stress
@@ -84,6 +116,8 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
     std::uint64_t stamp = 0;                         // fingerprint at the end of the run
     std::vector<Record> records;                     // of the reference family, ascending partners
     std::vector<Met> met;                            // ascending partners
+    std::vector<Anchor> anchors;                     // of the segments that it touches
+    double apart = 0.0;    // from the other body's outline in the reference; 0: not within reach
     std::vector<Pressed> pressed;                    // ascending partners; only for heat
     double rubbed = 0.0;                             // only for heat: work lost by friction
   };
@@ -94,6 +128,47 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
     double *moved;        // of a local end
     double *copy;         // of the other one if it is local too, or nullptr
     TMSPH::ContactPair pair;
+  };
+  /** Where a particle touches the outline of another body. */
+  struct Place {
+    int a, b;              // ends of the segment
+    double along;          // share of b
+    double normal[2];      // towards the particle
+    double distance;       // from the line through the centres; negative behind it
+    double touching;       // the same when the surfaces just touch
+    double predicted, closing;
+  };
+  /** A local particle that may touch, and the outlines near it. */
+  struct Slave {
+    int i;
+    int first, last;       // its chains
+    int count;             // of places
+    double stiffness;
+    Place place[2];
+  };
+  /** A local particle of an outline that others may touch. */
+  struct Master {
+    int i;
+    int first, last;       // those that may, by ascending ids
+  };
+  /** method segment: outlines of bodies, one of which may touch the other. */
+  struct Segments {
+    std::vector<double> spacing;                     // by type
+    double coarsest = 0.0;                           // of them
+    std::vector<std::array<tagint, 2>> next;         // of local and ghost particles; 0: none
+    std::vector<int> outline;                        // local and ghost particles of outlines
+    std::vector<Slave> slaves;
+    std::vector<Master> masters;
+    std::vector<int> slave_of, master_of;            // of local particles, -1: neither
+    std::vector<std::pair<int, int>> chains;         // from, to in nodes
+    std::vector<int> nodes, near;
+    bool measured = false;                           // distances in the reference
+    bool any = false;                                // slaves on any processor
+  };
+  /** What contacts do to a particle. */
+  struct Effect {
+    double force[3] = {}, stress[6] = {}, couple[3] = {};    // stress: times volume
+    void add(double sign, double share, const double *f, const double *r);
   };
   /** One end of a pair, at a local particle. */
   struct End {
@@ -110,6 +185,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
 
   PairTMSPH *pair;
   FixTMSPHBond *bonds;
+  std::unique_ptr<Segments> segments;        // null: kernel-weighted pairs for all
   bool self;                                 // faces of cracks and cuts touch too
   TMSPH::ContactLaw law;
   double stiffness;                          // factor to the default
@@ -159,13 +235,28 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   bool may_meet(int i, int j) const;
   void plan_search();
   template <int D> void evaluate(double dt);
+  void acts_on(const Effect &, const Member &);
   template <int D> void apply_again();
   template <int D>
   void keep_touches(const std::vector<TMSPH::ContactState<D>> &, const std::vector<double> &forces,
                     const std::vector<double> &heats);
   void add_virial();
+  bool is_slave(int itype, int jtype) const;
+  double touching_distance(int i, int a, int b, double along) const;
+  void find_outlines();
+  void measure();
+  void face();
+  bool faces(int i, const Memory &) const;
+  void find_places(double dt);
+  double segment_stiffness(int i) const;
+  void hold_places(double dt);
+  void hold(Slave &, double dt);
+  void add_places(int i, Effect &) const;
+  void keep_places(int i, Memory &) const;
+  template <class Use> void places_at_master(const Master &, Use) const;
   void send(int first, int count);
-  static int exchange_size(int nrecords, int nmet, int npressed);
+  static constexpr int PRESSED_AT_SEGMENTS = 64;    // that a particle of an outline may have
+  static int exchange_size(int nrecords, int nmet, int nanchors, int npressed);
   int exchange_size(const Memory &, bool at_most) const;
 };
 

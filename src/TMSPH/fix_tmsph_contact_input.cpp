@@ -43,7 +43,7 @@ FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
   thermo_virial = 1;
   restart_global = restart_peratom = 1;
   stores_ids = 1;
-  maxexchange = exchange_size(0, 0, 0);
+  maxexchange = exchange_size(0, 0, 0, 0);
   maxexchange_dynamic = 1;
   comm_forward = 20;
   atom->add_callback(Atom::GROW);
@@ -70,8 +70,8 @@ void FixTMSPHContact::parse(int narg, char **arg)
     const std::string word = arg[iarg];
     const int words = word == "friction" ? 4 : 2;
     if (word != "friction" && word != "self" && word != "stiffness" && word != "surface" &&
-        word != "law")
-      unknown(arg[iarg], "friction, law, self, stiffness or surface");
+        word != "law" && word != "method")
+      unknown(arg[iarg], "friction, law, method, self, stiffness or surface");
     if (iarg + words > narg)
       utils::missing_cmd_args(FLERR, "fix tmsph/contact " + word, error);
     if (word == "friction") {
@@ -83,6 +83,15 @@ void FixTMSPHContact::parse(int narg, char **arg)
         error->all(FLERR, "Fix tmsph/contact friction {} must not be negative", arg[iarg + 3]);
       for (int i = ilo; i <= ihi; i++)
         for (int j = jlo; j <= jhi; j++) friction[i][j] = friction[j][i] = value;
+    }
+    if (word == "method") {
+      const std::string name = arg[iarg + 1];
+      if (name != "kernel" && name != "segment")
+        error->all(FLERR, "Unknown method '{}' of fix tmsph/contact: use kernel or segment", name);
+      if (name == "segment" && domain->dimension == 3)
+        error->all(FLERR, "Fix tmsph/contact method segment needs dimension 2: use method kernel "
+                          "in 3-D");
+      segments.reset(name == "segment" ? new Segments : nullptr);
     }
     if (word == "law" && !named(arg[iarg + 1], law))
       error->all(FLERR, "Unknown law '{}' of fix tmsph/contact: use implicit, penalty or paper",
@@ -139,9 +148,9 @@ void FixTMSPHContact::init()
 
 static constexpr int GEOMETRY_SIZE = sizeof(PairGeometry) / sizeof(double);
 
-int FixTMSPHContact::exchange_size(int nrecords, int nmet, int npressed)
+int FixTMSPHContact::exchange_size(int nrecords, int nmet, int nanchors, int npressed)
 {
-  return 20 + 3 * nrecords + (3 + GEOMETRY_SIZE) * nmet + 3 * npressed;
+  return 22 + 3 * nrecords + (3 + GEOMETRY_SIZE) * nmet + 4 * nanchors + 3 * npressed;
 }
 
 /* ----------------------------------------------------------------------
@@ -150,9 +159,12 @@ int FixTMSPHContact::exchange_size(int nrecords, int nmet, int npressed)
 
 int FixTMSPHContact::exchange_size(const Memory &m, bool at_most) const
 {
-  const int pairs = pair->keeps_touches() ? m.records.size() + m.met.size() : 0;
-  const int pressed = m.pressed.size();
-  return exchange_size(m.records.size(), m.met.size(), at_most ? std::max(pairs, pressed) : pressed);
+  const int ends = m.records.size() + m.met.size() + (segments ? PRESSED_AT_SEGMENTS : 0);
+  const int pressed = m.pressed.size(), anchors = m.anchors.size();
+  return at_most
+      ? exchange_size(m.records.size(), m.met.size(), segments ? TMSPH::SegmentRow::PLACES : 0,
+                      std::max(pair->keeps_touches() ? ends : 0, pressed))
+      : exchange_size(m.records.size(), m.met.size(), anchors, pressed);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -168,6 +180,7 @@ int FixTMSPHContact::pack_exchange(int i, double *buf)
   double *p = buf;
   *p++ = ubuf((int) memory.records.size()).d;
   *p++ = ubuf((int) memory.met.size()).d;
+  *p++ = ubuf((int) memory.anchors.size()).d;
   *p++ = ubuf((int) memory.pressed.size()).d;
   p = std::copy_n(memory.force, 3, p);
   p = std::copy_n(memory.stress, 6, p);
@@ -175,6 +188,7 @@ int FixTMSPHContact::pack_exchange(int i, double *buf)
   p = std::copy_n(memory.couple_before, 3, p);
   *p++ = ubuf((int64_t) memory.stamp).d;
   *p++ = memory.rubbed;
+  *p++ = memory.apart;
   for (const Record &r : memory.records) {
     *p++ = ubuf(r.parted ? -r.partner : r.partner).d;
     p = std::copy_n(r.moved, 2, p);
@@ -184,6 +198,12 @@ int FixTMSPHContact::pack_exchange(int i, double *buf)
     p = std::copy_n(met.moved, 2, p);
     memcpy(p, &met.geometry, sizeof(PairGeometry));
     p += GEOMETRY_SIZE;
+  }
+  for (const Anchor &anchor : memory.anchors) {
+    *p++ = ubuf(anchor.start).d;
+    *p++ = ubuf(anchor.end).d;
+    *p++ = anchor.along;
+    *p++ = anchor.left;
   }
   for (const Pressed &pressed : memory.pressed) {
     *p++ = ubuf(pressed.partner).d;
@@ -201,6 +221,7 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
   const int nrecords = (int) ubuf(*p++).i;
   if (nrecords < 0) return 1;
   const int nmet = (int) ubuf(*p++).i;
+  const int nanchors = (int) ubuf(*p++).i;
   const int npressed = (int) ubuf(*p++).i;
   const auto take = [&p](double *to, int n) {
     std::copy_n(p, n, to);
@@ -213,6 +234,7 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
   take(memory.couple_before, 3);
   memory.stamp = (std::uint64_t) ubuf(*p++).i;
   memory.rubbed = *p++;
+  memory.apart = *p++;
   memory.records.resize(nrecords);
   for (Record &r : memory.records) {
     const tagint partner = (tagint) ubuf(*p++).i;
@@ -226,6 +248,13 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
     take(met.moved, 2);
     memcpy(&met.geometry, p, sizeof(PairGeometry));
     p += GEOMETRY_SIZE;
+  }
+  memory.anchors.resize(nanchors);
+  for (Anchor &anchor : memory.anchors) {
+    anchor.start = (tagint) ubuf(*p++).i;
+    anchor.end = (tagint) ubuf(*p++).i;
+    anchor.along = *p++;
+    anchor.left = *p++;
   }
   memory.pressed.resize(npressed);
   for (Pressed &pressed : memory.pressed) {
@@ -241,25 +270,27 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
 void FixTMSPHContact::write_restart(FILE *fp)
 {
   TMSPHLastForce::stamp(atom, memories);
-  double list[NTOTALS + 3];
+  double list[NTOTALS + 4];
   for (int n = 0; n < NTOTALS; n++) list[n] = compute_vector(n);
   list[NTOTALS] = compute_scalar();
   list[NTOTALS + 1] = ubuf(next_search).d;
   list[NTOTALS + 2] = search_dt;
+  list[NTOTALS + 3] = segments && segments->measured;
   if (comm->me) return;
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(list, sizeof(double), NTOTALS + 3, fp);
+  fwrite(list, sizeof(double), NTOTALS + 4, fp);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHContact::restart(char *buf)
 {
-  double list[NTOTALS + 3];
+  double list[NTOTALS + 4];
   memcpy(list, buf, sizeof(list));
   next_search = (bigint) ubuf(list[NTOTALS + 1]).i;
   search_dt = list[NTOTALS + 2];
+  if (segments) segments->measured = list[NTOTALS + 3] != 0.0;
   if (comm->me) return;
   std::copy_n(list, (int) NTOTALS, totals);
   energy = list[NTOTALS];

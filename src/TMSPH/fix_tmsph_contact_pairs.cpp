@@ -45,6 +45,11 @@ void FixTMSPHContact::follow(bool after_breaks)
   if (!changed) return;
   version = bonds->layout_version();
   removals = bonds->removals();
+  if (segments) {
+    find_outlines();
+    if (!segments->measured) measure();
+    face();
+  }
   list_pairs();
   if (!any_pairs) return;
   if (domain->dimension == 2)
@@ -85,7 +90,7 @@ int FixTMSPHContact::list_members()
       records.back().parted = records.back().parted || j == i;
       where.push_back(j);
     }
-    if (records.empty() && before.met.empty()) continue;
+    if (records.empty() && before.met.empty() && !(segments && faces(i, before))) continue;
     Memory &memory = kept[atom->tag[i]];
     memory = std::move(before);
     memory.records = std::move(records);
@@ -149,7 +154,7 @@ void FixTMSPHContact::list_pairs()
   const int mine[2] = {largest, !pairings.empty()};
   int all[2];
   MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
-  maxexchange = std::max(all[0], exchange_size(0, 0, 0));
+  maxexchange = std::max(all[0], exchange_size(0, 0, 0, 0));
   any_pairs = all[1];
 }
 

@@ -32,10 +32,6 @@ static constexpr double FACING = -0.3;
 
 static constexpr double SAME_SIDE = 0.9;
 
-// two particles may come closer by this share of the horizon between searches: within it the kernel
-// has a thousandth of its middle value
-
-static constexpr double MARGIN = 0.1;
 static constexpr int LONGEST = 200, WHILE_MINIMIZING = 10;    // steps between searches
 
 // roughness of surfaces in particle spacings: pairs that join a contact start with its penetration
@@ -177,7 +173,8 @@ int FixTMSPHContact::part()
 
 bool FixTMSPHContact::may_meet(int i, int j) const
 {
-  if (!self && pair->bonded(atom->type[i], atom->type[j])) return false;
+  const bool one_body = pair->bonded(atom->type[i], atom->type[j]);
+  if (one_body ? !self : segments != nullptr) return false;
   const tagint partner = atom->tag[j];
   const int state = bonds->state_with(i, partner);
   const auto found = memories.find(atom->tag[i]);
@@ -303,8 +300,10 @@ void FixTMSPHContact::search(const std::vector<ContactState<D>> &states)
   int changes;
   MPI_Allreduce(&mine, &changes, 1, MPI_INT, MPI_SUM, world);
   plan_search();
-  if (!changes) return;
+  if (segments) face();
+  if (!changes && !segments) return;
   list_pairs();
+  if (!any_pairs) return;
   fit_pairs<D>();
 }
 
@@ -326,7 +325,7 @@ void FixTMSPHContact::plan_search()
   MPI_Allreduce(&square, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
   search_dt = update->dt;
   const double way = 4.0 * std::sqrt(fastest) * update->dt;
-  const double margin = MARGIN * pair->horizon();
+  const double margin = SEARCH_MARGIN * pair->horizon();
   const int steps = way * LONGEST > margin ? std::max(1, (int) (margin / way)) : LONGEST;
   next_search = update->ntimestep + (update->whichflag == 2 ? WHILE_MINIMIZING : steps);
 }

@@ -1,0 +1,557 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Particles against the segments between the outer particles of another body,
+   in 2-D: the hybrid friction contact of Mu et al. (2022), Sect. 3. One pass,
+   the finer body against the outline of the coarser one. The owner of a
+   particle finds its force; the owners of the ends of the segment learn it
+   from the particle, and add it in the order of ids.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_contact.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "tmsph_cells.h"
+#include "tmsph_contact_law.h"
+#include "tmsph_outline.h"
+#include "tmsph_wall_shape.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+using Row = SegmentRow;
+
+// a particle is held at an outline if it is nearer than this many of the coarsest spacing, in front
+// and behind
+
+static constexpr double REACH = 1.5;
+
+// segments are not longer than this many times their largest length in the reference
+
+static constexpr double STRETCHED = 1.25;
+
+// spacings that differ by less are equal
+
+static constexpr double SAME = 1.0e-6;
+
+/* ---------------------------------------------------------------------- */
+
+static double spacing_of(const Atom *atom, int i)
+{
+  return std::sqrt(atom->vfrac[i]);
+}
+
+/* ----------------------------------------------------------------------
+   the finer side touches the outline of the other; of equals, the lower type
+------------------------------------------------------------------------- */
+
+bool FixTMSPHContact::is_slave(int itype, int jtype) const
+{
+  if (pair->bonded(itype, jtype)) return false;
+  const double mine = segments->spacing[itype], other = segments->spacing[jtype];
+  if (mine < (1.0 - SAME) * other) return true;
+  return mine <= (1.0 + SAME) * other && itype < jtype;
+}
+
+/* ----------------------------------------------------------------------
+   of the centre of i from the line between a and b: half a cell on each side,
+   less where the two were closer from the start
+------------------------------------------------------------------------- */
+
+double FixTMSPHContact::touching_distance(int i, int a, int b, double along) const
+{
+  const auto half = [this](int p) {
+    return 0.5 * spacing_of(atom, p) * (1.0 + pair->thermal_strain(p));
+  };
+  const double cells = half(i) + (1.0 - along) * half(a) + along * half(b);
+  const auto found = memories.find(atom->tag[i]);
+  if (found == memories.end() || found->second.apart == 0.0) return cells;
+  const double strain = 0.5 * pair->thermal_strain(i) +
+      0.5 * ((1.0 - along) * pair->thermal_strain(a) + along * pair->thermal_strain(b));
+  return std::min(cells, found->second.apart * (1.0 + strain));
+}
+
+/* ----------------------------------------------------------------------
+   from the reference families, broken bonds included: pieces keep the outline
+   of their body
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::find_outlines()
+{
+  Segments &s = *segments;
+  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
+  std::vector<double> spacing(atom->ntypes + 1, HUGE_VAL);
+  for (int i = 0; i < nlocal; i++)
+    spacing[atom->type[i]] = std::min(spacing[atom->type[i]], spacing_of(atom, i));
+  s.spacing.resize(spacing.size());
+  MPI_Allreduce(spacing.data(), s.spacing.data(), (int) spacing.size(), MPI_DOUBLE, MPI_MIN, world);
+  s.coarsest = 0.0;
+  for (double of_type : s.spacing)
+    if (of_type < HUGE_VAL) s.coarsest = std::max(s.coarsest, of_type);
+
+  s.next.assign(nall, {0, 0});
+  for (int i = 0; i < nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    OutlineSegments outline;
+    std::vector<int> ends;
+    for (int k = 0; k < bonds->count(i); k++) {
+      const int j = bonds->partner_index(i, k);
+      if (bonds->bond_state(i, k) == FixTMSPHBond::UNBONDED || j == i) continue;
+      double X[3];
+      bonds->reference_vector(i, j, X);
+      outline.add(X);
+      ends.push_back(j);
+    }
+    int found = 0;
+    for (int n = 0; n < (int) ends.size() && found < 2; n++) {
+      const double larger = std::max(spacing_of(atom, i), spacing_of(atom, ends[n]));
+      if (outline.leads_to(n, ROLLING * larger)) s.next[i][found++] = atom->tag[ends[n]];
+    }
+  }
+  width = 2;
+  rows.assign((size_t) width * nall, 0.0);
+  for (int i = 0; i < nlocal; i++)
+    for (int k = 0; k < 2; k++) rows[2 * i + k] = ubuf(s.next[i][k]).d;
+  send(0, width);
+  for (int i = nlocal; i < nall; i++)
+    for (int k = 0; k < 2; k++) s.next[i][k] = (tagint) ubuf(rows[2 * i + k]).i;
+  s.outline.clear();
+  for (int i = 0; i < nall; i++)
+    if (s.next[i][0]) s.outline.push_back(i);
+}
+
+/* ----------------------------------------------------------------------
+   how far particles are from the outline of another body in the reference
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::measure()
+{
+  Segments &s = *segments;
+  s.measured = true;
+  static constexpr double HERE[2] = {};
+  for (const int i : s.outline) {
+    if (i >= atom->nlocal) continue;
+    double nearest = HUGE_VAL;
+    for (int k = 0; k < bonds->count(i); k++) {
+      const int j = bonds->partner_index(i, k);
+      if (j == i || !is_slave(atom->type[i], atom->type[j])) continue;
+      for (const tagint id : s.next[j]) {
+        const int end = id ? domain->closest_image(j, atom->map(id)) : -1;
+        if (end < 0) continue;
+        double X[3], Y[3];
+        bonds->reference_vector(i, j, X);
+        bonds->reference_vector(j, end, Y);
+        const double Z[2] = {X[0] + Y[0], X[1] + Y[1]};
+        const double d = std::sqrt(square_from_segment(HERE, X, Z));
+        if (d < std::min(nearest, 0.5 * (spacing_of(atom, i) + spacing_of(atom, j)))) nearest = d;
+      }
+    }
+    if (nearest < HUGE_VAL && nearest > 0.0) memories[atom->tag[i]].apart = nearest;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   who may touch what until the next search
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::face()
+{
+  Segments &s = *segments;
+  const int nlocal = atom->nlocal;
+  const double margin = SEARCH_MARGIN * pair->horizon();
+  const double reach = (2.0 * ROLLING * STRETCHED + REACH) * s.coarsest + margin;
+  if (comm->get_comm_cutoff() < reach && (comm->nprocs > 1 || domain->xperiodic || domain->yperiodic))
+    error->all(FLERR, "The ghost cutoff {} is shorter than the {:.6g} that method segment of fix "
+                      "tmsph/contact needs on several processors or in a periodic box: raise it "
+                      "with comm_modify cutoff", comm->get_comm_cutoff(), reach);
+
+  s.slaves.clear();
+  s.masters.clear();
+  s.chains.clear();
+  s.nodes.clear();
+  s.near.clear();
+  s.slave_of.assign(nlocal, -1);
+  s.master_of.assign(nlocal, -1);
+  const Cells cells(atom->x, s.outline, reach);
+  const auto by_id = [this](int i, int j) { return atom->tag[i] < atom->tag[j]; };
+  for (const int i : s.outline) {
+    if (i >= nlocal) continue;
+    const int type = atom->type[i];
+    std::vector<int> others;
+    cells.near(atom->x[i], [&](int j) { others.push_back(j); });
+    std::sort(others.begin(), others.end(), by_id);
+    std::vector<std::pair<int, int>> near;
+    const int first = s.near.size();
+    for (const int j : others) {
+      if (is_slave(atom->type[j], type)) {
+        const double dx = atom->x[j][0] - atom->x[i][0], dy = atom->x[j][1] - atom->x[i][1];
+        if (dx * dx + dy * dy < reach * reach) s.near.push_back(j);
+      }
+      if (!is_slave(type, atom->type[j])) continue;
+      for (const tagint id : s.next[j]) {
+        if (!id) continue;
+        const double *a = atom->x[j], *x = atom->x[i];
+        const double dx = a[0] - x[0], dy = a[1] - x[1];
+        if (dx * dx + dy * dy >= reach * reach) continue;
+        const int end = domain->closest_image(j, atom->map(id));
+        if (end < 0)
+          error->one(FLERR, "Particle {} of an outline of fix tmsph/contact is out of reach on step "
+                            "{}: raise the ghost cutoff with comm_modify cutoff", id,
+                     update->ntimestep);
+        const double within = REACH * s.coarsest + margin;
+        if (square_from_segment(x, a, atom->x[end]) < within * within) near.emplace_back(j, end);
+      }
+    }
+    if ((int) s.near.size() > first) {
+      s.master_of[i] = s.masters.size();
+      s.masters.push_back({i, first, (int) s.near.size()});
+    }
+    if (near.empty()) continue;
+    Slave slave = {};
+    slave.i = i;
+    slave.first = s.chains.size();
+    int node = s.nodes.size();
+    for (const int length : chains_of(near, s.nodes)) {
+      s.chains.emplace_back(node, node + length);
+      node += length;
+    }
+    slave.last = s.chains.size();
+    s.slave_of[i] = s.slaves.size();
+    s.slaves.push_back(slave);
+  }
+  const int mine = !s.slaves.empty();
+  int any;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  s.any = any;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixTMSPHContact::faces(int i, const Memory &before) const
+{
+  return segments->slave_of[i] >= 0 || segments->master_of[i] >= 0 || before.apart > 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   where the local particles touch, as they are and at the end of the step; the
+   ids of the ends go to all processors that have these
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::find_places(double dt)
+{
+  Segments &s = *segments;
+  const double ahead = TMSPH::ahead(law, dt);
+  const auto row = [this](int i) { return rows.data() + (size_t) width * i; };
+  for (const Member &m : members)
+    for (int p = 0; p < Row::PLACES; p++) row(m.i)[Row::WHERE + p * Row::WHERE_SIZE] = 0.0;
+  for (const int i : s.outline)
+    if (i < atom->nlocal)
+      for (int p = 0; p < Row::PLACES; p++) row(i)[Row::WHERE + p * Row::WHERE_SIZE] = 0.0;
+
+  std::vector<Point> points;
+  for (Slave &slave : s.slaves) {
+    const int i = slave.i;
+    const double *x = atom->x[i];
+    const Point here = {x[0], x[1], 0.0};
+    std::vector<Place> places;
+    for (int c = slave.first; c < slave.last; c++) {
+      const int *nodes = s.nodes.data() + s.chains[c].first;
+      const int count = s.chains[c].second - s.chains[c].first;
+      points.clear();
+      for (int n = 0; n < count; n++)
+        points.push_back({atom->x[nodes[n]][0], atom->x[nodes[n]][1], 0.0});
+      const WallPolyline line(points);
+      WallTouch touch[2];
+      const int found = line.touches(here, REACH * s.coarsest, 1, touch);
+      for (int t = 0; t < found; t++) {
+        const int segment = touch[t].piece < count - 1 ? touch[t].piece
+            : touch[t].piece == 2 * (count - 1)        ? count - 2
+                                                       : touch[t].piece - (count - 1);
+        Place p;
+        p.a = nodes[segment];
+        p.b = nodes[segment + 1];
+        const Point &A = points[segment], &B = points[segment + 1];
+        const double e[2] = {B[0] - A[0], B[1] - A[1]};
+        const double along = ((x[0] - A[0]) * e[0] + (x[1] - A[1]) * e[1]) /
+            (e[0] * e[0] + e[1] * e[1]);
+        p.along = touch[t].piece == 2 * (count - 1) ? 1.0
+            : touch[t].piece >= count - 1           ? 0.0
+                                                    : std::min(1.0, std::max(0.0, along));
+        p.normal[0] = touch[t].normal[0];
+        p.normal[1] = touch[t].normal[1];
+        p.distance = touch[t].gap;
+        p.touching = touching_distance(i, p.a, p.b, p.along);
+        p.closing = 0.0;
+        double hastening = 0.0;
+        const double *mine = row(i), *a = row(p.a), *b = row(p.b);
+        for (int k = 0; k < 2; k++) {
+          const auto relative = [&](int column) {
+            return mine[column + k] - (1.0 - p.along) * a[column + k] - p.along * b[column + k];
+          };
+          p.closing -= p.normal[k] * relative(Row::V);
+          hastening -= p.normal[k] * relative(Row::A);
+        }
+        p.predicted = p.touching - p.distance + ahead * (p.closing + ahead * hastening);
+        places.push_back(p);
+      }
+    }
+    std::stable_sort(places.begin(), places.end(), [](const Place &p, const Place &q) {
+      return p.touching - p.distance > q.touching - q.distance;
+    });
+    slave.count = std::min((int) places.size(), Row::PLACES);
+    std::copy_n(places.begin(), slave.count, slave.place);
+    slave.stiffness = 0.0;
+    for (int n = 0; n < slave.count; n++) {
+      const Place &p = slave.place[n];
+      const double spacing[2] = {spacing_of(atom, i), (1.0 - p.along) * spacing_of(atom, p.a) +
+                                                          p.along * spacing_of(atom, p.b)};
+      const int type[2] = {atom->type[i], atom->type[p.a]};
+      HalfCell cells[2];
+      for (int k = 0; k < 2; k++) {
+        const auto &m = pair->material(type[k]);
+        cells[k] = {m.young / (1.0 - m.poisson * m.poisson), spacing[k]};
+      }
+      const double k = law == ContactLaw::PAPER
+          ? stiffness * paper_stiffness(atom->rmass[i], update->dt)
+          : half_cells(cells, 2, stiffness, p.touching - p.distance) * spacing[0];
+      slave.stiffness = std::max(slave.stiffness, k);
+    }
+    for (int n = 0; n < slave.count; n++) {
+      double *where = row(i) + Row::WHERE + n * Row::WHERE_SIZE;
+      where[Row::START] = ubuf(atom->tag[slave.place[n].a]).d;
+      where[Row::END] = ubuf(atom->tag[slave.place[n].b]).d;
+      where[Row::ALONG] = slave.place[n].along;
+      where[Row::STIFFNESS] = slave.place[n].predicted > 0.0 ? slave.stiffness : 0.0;
+    }
+  }
+  send(Row::WHERE, Row::PLACES * Row::WHERE_SIZE);
+}
+
+/* ----------------------------------------------------------------------
+   calls use(slave, where, force, weight) for all places at segments that end at
+   this particle, in the order of ids
+------------------------------------------------------------------------- */
+
+template <class Use> void FixTMSPHContact::places_at_master(const Master &m, Use use) const
+{
+  const tagint id = atom->tag[m.i];
+  for (int n = m.first; n < m.last; n++) {
+    const int j = segments->near[n];
+    const double *row = rows.data() + (size_t) width * j;
+    for (int p = 0; p < Row::PLACES; p++) {
+      const double *where = row + Row::WHERE + p * Row::WHERE_SIZE;
+      const double *force = row + Row::FORCE + p * Row::FORCE_SIZE;
+      const auto start = (tagint) ubuf(where[Row::START]).i;
+      if (start == 0) continue;
+      if (start == id) use(j, where, force, 1.0 - where[Row::ALONG]);
+      if ((tagint) ubuf(where[Row::END]).i == id) use(j, where, force, where[Row::ALONG]);
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   of all places that press on local particle i
+------------------------------------------------------------------------- */
+
+double FixTMSPHContact::segment_stiffness(int i) const
+{
+  const Segments &s = *segments;
+  double sum = 0.0;
+  if (s.slave_of[i] >= 0) {
+    const Slave &slave = s.slaves[s.slave_of[i]];
+    for (int n = 0; n < slave.count; n++)
+      if (slave.place[n].predicted > 0.0) sum += slave.stiffness;
+  }
+  if (s.master_of[i] >= 0)
+    places_at_master(s.masters[s.master_of[i]], [&sum](int, const double *where, const double *,
+                                                       double weight) {
+      sum += weight * where[Row::STIFFNESS];
+    });
+  return sum;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::hold_places(double dt)
+{
+  for (Slave &slave : segments->slaves) hold(slave, dt);
+  send(Row::FORCE, Row::PLACES * Row::FORCE_SIZE);
+}
+
+/* ----------------------------------------------------------------------
+   the forces on one particle; an anchor goes with it from one segment to the next
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::hold(Slave &slave, double dt)
+{
+  const Segments &s = *segments;
+  const int i = slave.i;
+  const double *x = atom->x[i];
+  const double ahead = TMSPH::ahead(law, dt), k = slave.stiffness;
+  const auto row = [this](int p) { return rows.data() + (size_t) width * p; };
+  Memory &memory = memories[atom->tag[i]];
+  double frequency = 0.0, normal[2] = {}, predicted[2] = {}, pushed[2] = {};
+  for (int n = 0; n < slave.count; n++) {
+    const Place &p = slave.place[n];
+    predicted[n] = p.predicted;
+    frequency = std::max(frequency, row(i)[Row::COMPLIANCE] +
+                             (1.0 - p.along) * row(p.a)[Row::COMPLIANCE] +
+                             p.along * row(p.b)[Row::COMPLIANCE]);
+  }
+  const double q = ahead * ahead * frequency;
+  if (slave.count == 2) {
+    const double *one = slave.place[0].normal, *other = slave.place[1].normal;
+    implicit_corner(k, q, one[0] * other[0] + one[1] * other[1], predicted, normal);
+  } else if (slave.count == 1)
+    normal[0] = implicit_normal(k, q, predicted[0]);
+  for (int n = 0; n < slave.count; n++) {
+    if (law == ContactLaw::PENALTY && normal[n] > 0.0)
+      normal[n] = damped_normal(normal[n], k, frequency, slave.place[n].closing);
+    for (int a = 0; a < 2; a++) pushed[a] += normal[n] * slave.place[n].normal[a];
+  }
+
+  // a particle of an outline that has been near, or is
+
+  const auto node = [&](tagint id) {
+    for (int c = slave.first; c < slave.last; c++)
+      for (int n = s.chains[c].first; n < s.chains[c].second; n++)
+        if (atom->tag[s.nodes[n]] == id) return s.nodes[n];
+    return -1;
+  };
+  std::vector<Anchor> anchors;
+  std::vector<char> taken(memory.anchors.size(), 0);
+  for (int n = 0; n < slave.count; n++) {
+    const Place &p = slave.place[n];
+    double *out = row(i) + Row::FORCE + n * Row::FORCE_SIZE;
+    std::fill_n(out, (int) Row::FORCE_SIZE, 0.0);
+    if (!(normal[n] > 0.0) && p.distance >= p.touching) continue;
+
+    const double *A = atom->x[p.a], *B = atom->x[p.b];
+    const double e[2] = {B[0] - A[0], B[1] - A[1]}, square = e[0] * e[0] + e[1] * e[1];
+    const double tangent[2] = {-p.normal[1], p.normal[0]};
+    double origin[2] = {x[0], x[1]};
+    int which = -1;
+    for (int m = 0; m < (int) memory.anchors.size(); m++) {
+      const bool same = memory.anchors[m].start == atom->tag[p.a];
+      if (!taken[m] && (same || (which < 0 && slave.count == 1))) which = m;
+    }
+    if (which >= 0) {
+      const Anchor &anchor = memory.anchors[which];
+      const int start = node(anchor.start), end = node(anchor.end);
+      if (start >= 0 && end >= 0) {
+        taken[which] = 1;
+        const double *S = atom->x[start], *E = atom->x[end];
+        const double d[2] = {E[0] - S[0], E[1] - S[1]};
+        for (int a = 0; a < 2; a++)
+          origin[a] = S[a] + anchor.along * d[a] + anchor.left * (a == 0 ? -d[1] : d[0]);
+      }
+    }
+
+    const double *mine = row(i), *a = row(p.a), *b = row(p.b);
+    double slip = 0.0;
+    for (int c = 0; c < 2; c++) {
+      const auto relative = [&](int column) {
+        return mine[column + c] - (1.0 - p.along) * a[column + c] - p.along * b[column + c];
+      };
+      slip += tangent[c] * (x[c] - origin[c] + ahead *
+          (relative(Row::V) + ahead * (relative(Row::A) + pushed[c] / atom->rmass[i])));
+    }
+    const double ratio = law == ContactLaw::PAPER ? 1.0 : TANGENTIAL;
+    double rubbing, excess;
+    implicit_friction<1>(ratio * k, ratio * q, friction[atom->type[i]][atom->type[p.a]] * normal[n],
+                         &slip, &rubbing, &excess);
+    for (int c = 0; c < 2; c++) origin[c] += excess * tangent[c] - A[c];
+    anchors.push_back({atom->tag[p.a], atom->tag[p.b],
+                       (origin[0] * e[0] + origin[1] * e[1]) / square,
+                       (origin[1] * e[0] - origin[0] * e[1]) / square});
+
+    for (int c = 0; c < 2; c++) {
+      out[Row::F + c] = rubbing * tangent[c] - normal[n] * p.normal[c];
+      out[Row::R + c] = A[c] + p.along * e[c] - x[c];
+    }
+    const double share = spacing_of(atom, i) / (spacing_of(atom, i) + spacing_of(atom, p.a));
+    out[Row::TOUCHING] = p.touching;
+    out[Row::SHARE] = share;
+    out[Row::NORMAL] = normal[n];
+    out[Row::HEAT] = rubbing * excess;
+
+    totals[WORK] += rubbing * excess;
+    totals[DEEPEST] = std::max(totals[DEEPEST], p.touching - p.distance);
+    if (normal[n] > 0.0) {
+      totals[TOUCHING] += 1.0;
+      totals[NORMAL] += normal[n];
+    }
+    energy += 0.5 * normal[n] * normal[n] / k + 0.5 * rubbing * rubbing / (ratio * k);
+    const double sign = atom->type[i] < atom->type[p.a] ? -1.0 : 1.0;
+    const double at[2] = {x[0] + share * out[Row::R], x[1] + share * out[Row::R + 1]};
+    for (int c = 0; c < 2; c++) totals[FORCE + c] += sign * out[Row::F + c];
+    totals[TORQUE + 2] += sign * (at[0] * out[Row::F + 1] - at[1] * out[Row::F]);
+  }
+  memory.anchors = std::move(anchors);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::add_places(int i, Effect &effect) const
+{
+  const Segments &s = *segments;
+  const auto add = [&effect](double sign, double weight, const double *force, double share) {
+    const double f[3] = {weight * force[Row::F], weight * force[Row::F + 1], 0.0};
+    const double r[3] = {force[Row::R], force[Row::R + 1], 0.0};
+    effect.add(sign, share, f, r);
+  };
+  if (s.slave_of[i] >= 0)
+    for (int n = 0; n < s.slaves[s.slave_of[i]].count; n++) {
+      const double *force = rows.data() + (size_t) width * i + Row::FORCE + n * Row::FORCE_SIZE;
+      add(-1.0, 1.0, force, force[Row::SHARE]);
+    }
+  if (s.master_of[i] >= 0)
+    places_at_master(s.masters[s.master_of[i]],
+                     [&add](int, const double *, const double *force, double weight) {
+                       add(1.0, weight, force, 1.0 - force[Row::SHARE]);
+                     });
+}
+
+/* ----------------------------------------------------------------------
+   for heat: a place of area A is worth the weights A kappa/(2 D), shared between the
+   ends, since the area of a pair is 2 weight D/kappa
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::keep_places(int i, Memory &memory) const
+{
+  const Segments &s = *segments;
+  const auto keep = [&](tagint partner, int slave, double share, const double *force) {
+    if (!(force[Row::NORMAL] > 0.0) || share == 0.0) return;
+    const double area = atom->vfrac[slave] / spacing_of(atom, slave);
+    memory.pressed.push_back({partner, share * area * bonds->interior_kappa() /
+                                           (2.0 * force[Row::TOUCHING]), force[Row::TOUCHING]});
+    memory.rubbed += 0.5 * share * force[Row::HEAT];
+  };
+  if (s.slave_of[i] >= 0) {
+    const Slave &slave = s.slaves[s.slave_of[i]];
+    for (int n = 0; n < slave.count; n++) {
+      const Place &p = slave.place[n];
+      const double *force = rows.data() + (size_t) width * i + Row::FORCE + n * Row::FORCE_SIZE;
+      keep(atom->tag[p.a], i, 1.0 - p.along, force);
+      keep(atom->tag[p.b], i, p.along, force);
+    }
+  }
+  if (s.master_of[i] >= 0)
+    places_at_master(s.masters[s.master_of[i]],
+                     [&](int j, const double *, const double *force, double weight) {
+                       keep(atom->tag[j], j, weight, force);
+                     });
+  if (memory.pressed.size() > PRESSED_AT_SEGMENTS)
+    error->one(FLERR, "Particle {} is touched by {} others: method segment of fix tmsph/contact "
+                      "passes heat to at most {}; use method kernel or closer spacings",
+               atom->tag[i], memory.pressed.size(), PRESSED_AT_SEGMENTS);
+  std::stable_sort(memory.pressed.begin(), memory.pressed.end(),
+                   [](const Pressed &p, const Pressed &q) { return p.partner < q.partner; });
+}
