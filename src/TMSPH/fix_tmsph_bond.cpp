@@ -88,6 +88,12 @@ void FixTMSPHBond::init()
                "Horizon {} of pair_style tmsph differs from {}, with which the bonds have formed: "
                "keep it, or 'clear' and start anew",
                user->horizon(), horizon);
+  for (int t = 1; bonds_formed && t <= atom->ntypes; t++)
+    if (type_horizons[t] != user->horizon(t, t))
+      error->all(FLERR,
+                 "Horizon {} of type {} in pair_coeff differs from {}, with which the bonds have "
+                 "formed: keep it, or 'clear' and start anew",
+                 user->horizon(t, t), t, type_horizons[t]);
 
   // a neighbor list serves once, to form the families
 
@@ -147,6 +153,8 @@ void FixTMSPHBond::form()
   const int nlocal = atom->nlocal;
   const int *periodicity = domain->periodicity;
   horizon = user->horizon();
+  type_horizons.assign(atom->ntypes + 1, 0.0);
+  for (int t = 1; t <= atom->ntypes; t++) type_horizons[t] = user->horizon(t, t);
   if (comm->get_comm_cutoff() < horizon)
     error->all(FLERR,
                "The ghost cutoff {} is shorter than the horizon {} of pair style tmsph: raise it "
@@ -175,7 +183,8 @@ void FixTMSPHBond::form()
       double X[3];
       reference_vector(i, j, X);
       const double R2 = X[0] * X[0] + X[1] * X[1] + X[2] * X[2];
-      if (R2 >= horizon * horizon) continue;
+      const double reach = user->horizon(atom->type[i], atom->type[j]);
+      if (R2 >= reach * reach) continue;
       if (R2 == 0.0)
         error->one(FLERR,
                    "Particles {} and {} stand on the same place: remove one, for instance with "
@@ -392,7 +401,8 @@ float FixTMSPHBond::weight(int i, int j) const
   const int dimension = domain->dimension;
   const double R = std::sqrt(X[0] * X[0] + X[1] * X[1] + (dimension == 3 ? X[2] * X[2] : 0.0));
   return (float) (atom->vfrac[i] * atom->vfrac[j] *
-                  TMSPH::kernel_slope(user->kernel_of_bonds(), dimension, R, horizon));
+                  TMSPH::kernel_slope(user->kernel_of_bonds(), dimension, R,
+                                      user->horizon(atom->type[i], atom->type[j])));
 }
 
 /* ----------------------------------------------------------------------

@@ -26,9 +26,10 @@ namespace LAMMPS_NS {
 
 /** What the bonds ask of the style that uses them: the pair style. */
 struct TMSPHBondUser {
-  /// support of the kernel of the bonds, and who may be bonded
+  /// support of the kernel of the bonds, the largest and that of two types, and who may be bonded
   virtual TMSPH::Kernel kernel_of_bonds() const = 0;
   virtual double horizon() const = 0;
+  virtual double horizon(int itype, int jtype) const = 0;
   virtual bool bonded(int itype, int jtype) const = 0;
   /// true if two types without bonds may touch: pairs within the horizon are kept as UNBONDED
   virtual bool touching(int itype, int jtype) const = 0;
@@ -133,7 +134,8 @@ class FixTMSPHBond : public Fix {
   // and the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
   double **lag;                 // with viscosity, from the end of a run to the next setup
   bool running;                 // between a setup and the end of its run
-  double horizon;               // with which the bonds formed
+  double horizon;               // with which the bonds formed, the largest
+  std::vector<double> type_horizons;    // and that of each type
   double kappa;
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;

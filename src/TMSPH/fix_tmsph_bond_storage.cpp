@@ -148,26 +148,29 @@ void FixTMSPHBond::write_restart(FILE *fp)
 {
   if (running) keep_velocities();    // those of this step
   if (comm->me) return;
-  const double list[8] = {(double) bonds_formed, (double) maxpartner, (double) (lag != nullptr),
-                          period[0],             period[1],           period[2],
-                          kappa,                 horizon};
-  const int size = sizeof(list);
+  std::vector<double> list = {
+      (double) bonds_formed, (double) maxpartner, (double) (lag != nullptr), period[0], period[1],
+      period[2],             kappa,               horizon};
+  list.resize(8 + atom->ntypes);
+  for (int t = 1; bonds_formed && t <= atom->ntypes; t++) list[7 + t] = type_horizons[t];
+  const int size = list.size() * sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(list, sizeof(double), 8, fp);
+  fwrite(list.data(), sizeof(double), list.size(), fp);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHBond::restart(char *buf)
 {
-  double list[8];
-  memcpy(list, buf, sizeof(list));
+  std::vector<double> list(8 + atom->ntypes);
+  memcpy(list.data(), buf, list.size() * sizeof(double));
   bonds_formed = list[0] != 0.0;
   resize_partners((int) list[1]);
   if (list[2] != 0.0) memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
   for (int k = 0; k < 3; k++) period[k] = list[3 + k];
   kappa = list[6];
   horizon = list[7];
+  type_horizons.assign(list.begin() + 7, list.end());
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
   natoms_at_setup = atom->natoms;
 }

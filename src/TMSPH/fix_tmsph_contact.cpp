@@ -136,7 +136,6 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   send(0, Row::COMPLIANCE);
 
   const Kernel kernel = pair->kernel_of_bonds();
-  const double horizon = pair->horizon();
   const auto at = [&](int p) {
     const double *row = rows.data() + (size_t) width * p;
     return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
@@ -144,7 +143,7 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   };
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
-    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.moved, kernel, horizon,
+    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.moved, kernel,
                                  ahead(law, dt));
   }
   if (facing) find_places(dt);

@@ -143,12 +143,13 @@ template <int D> void FixTMSPHContact::find_surfaces()
 
 int FixTMSPHContact::part()
 {
-  const double reach = PARTING * pair->horizon();
   int parted = 0;
   for (const Member &m : members) {
     std::vector<tagint> gone;
     for (int n = m.first; n < m.last; n++) {
       const double *xi = atom->x[m.i], *xj = atom->x[ends[n].j];
+      const double reach =
+          PARTING * pair->horizon(atom->type[m.i], atom->type[ends[n].j]);
       double r2 = 0.0;
       for (int a = 0; a < 3; a++) r2 += (xj[a] - xi[a]) * (xj[a] - xi[a]);
       if (r2 < reach * reach) continue;
@@ -217,7 +218,8 @@ template <int D> int FixTMSPHContact::meet()
       const double d = atom->x[j][a] - atom->x[i][a];
       r2 += d * d;
     }
-    if (j == i || r2 >= horizon * horizon || atom->tag[j] == atom->tag[i] || !may_meet(i, j))
+    const double within = pair->horizon(atom->type[i], atom->type[j]);
+    if (j == i || r2 >= within * within || atom->tag[j] == atom->tag[i] || !may_meet(i, j))
       return;
     const bool is_low = atom->tag[i] < atom->tag[j];
     const int low = is_low ? i : j, high = is_low ? j : i;
@@ -226,6 +228,7 @@ template <int D> int FixTMSPHContact::meet()
       return ContactEnd<D>{atom->x[p], REST, REST, row(p) + Row::H, pair->thermal_strain(p)};
     };
     ContactPair pair_of_them = {};
+    pair_of_them.horizon = within;
     double n_low[D], n_high[D], facing = 0.0;
     for (int a = 0; a < 3; a++) {
       pair_of_them.normal_low[a] = one[Row::NORMAL + a];
@@ -241,7 +244,7 @@ template <int D> int FixTMSPHContact::meet()
     if (!are(Exposure::LOOSE, false) && facing > FACING) return;
 
     const ContactState<D> s = contact_state<D>(pair_of_them, end(low), end(high), NOWHERE,
-                                               pair->kernel_of_bonds(), horizon, 0.0);
+                                               pair->kernel_of_bonds(), 0.0);
     if (!(s.penetration < 0.0)) return;    // with D = 0: the one behind the other
 
     const double depths = one[Row::DEPTH] + other[Row::DEPTH];

@@ -83,6 +83,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   struct Material {
     double density = 0.0, reference_temperature = 0.0, expansion = 0.0;
     double young = 0.0, poisson = 0.0;
+    double horizon = 0.0;      // 0: that of pair_style
     TMSPH::Elastic elastic;    // set at init, when dimension and plane state are known
   };
 
@@ -103,6 +104,11 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
 
   TMSPH::Kernel kernel_of_bonds() const override { return kernel; }
   double horizon() const override { return cutoff; }
+  double horizon(int itype, int jtype) const override
+  {
+    const double one = materials[itype].horizon, other = materials[jtype].horizon;
+    return 0.5 * ((one > 0.0 ? one : cutoff) + (other > 0.0 ? other : cutoff));
+  }
   bool bonded(int itype, int jtype) const override { return are_bonded[itype][jtype]; }
   bool touching(int itype, int jtype) const override
   {

@@ -146,7 +146,7 @@ void PairTMSPH::settings(int narg, char **arg)
 }
 
 /* ----------------------------------------------------------------------
-   pair_coeff I I elastic E nu density rho [expansion alpha] [reference T0]
+   pair_coeff I I elastic E nu density rho [expansion alpha] [reference T0] [horizon delta]
    pair_coeff I J bonded|none
 ------------------------------------------------------------------------- */
 
@@ -190,14 +190,18 @@ void PairTMSPH::coeff(int narg, char **arg)
     double *value = word == "density" ? &m.density
         : word == "expansion"         ? &m.expansion
         : word == "reference"         ? &m.reference_temperature
+        : word == "horizon"           ? &m.horizon
                                       : nullptr;
     if (!value)
       error->all(FLERR,
-                 "Unknown keyword '{}' in pair_coeff ... elastic: use density, expansion or "
-                 "reference",
+                 "Unknown keyword '{}' in pair_coeff ... elastic: use density, expansion, "
+                 "reference or horizon",
                  word);
     if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "pair_coeff ... elastic " + word, error);
     *value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+    if (value == &m.horizon && !(m.horizon > 0.0 && m.horizon <= cutoff))
+      error->all(FLERR, "Horizon {} in pair_coeff must be positive and not above that of pair_style "
+                        "tmsph, {}: give the largest there", arg[iarg + 1], cutoff);
   }
   if (m.young <= 0.0)
     error->all(FLERR, "Young's modulus {} in pair_coeff must be positive", arg[3]);
@@ -366,9 +370,10 @@ void PairTMSPH::write_restart(FILE *fp)
   write_restart_settings(fp);
   for (int i = 1; i <= atom->ntypes; i++) {
     const Material &m = materials[i];
-    const double list[6] = {(double) setflag[i][i], m.young,     m.poisson,
-                            m.density,              m.expansion, m.reference_temperature};
-    fwrite(list, sizeof(double), 6, fp);
+    const double list[7] = {(double) setflag[i][i], m.young,     m.poisson,
+                            m.density,              m.expansion, m.reference_temperature,
+                            m.horizon};
+    fwrite(list, sizeof(double), 7, fp);
     fwrite(are_bonded[i].data(), 1, atom->ntypes + 1, fp);
   }
 }
@@ -380,12 +385,12 @@ void PairTMSPH::read_restart(FILE *fp)
   read_restart_settings(fp);
   allocate();
   for (int i = 1; i <= atom->ntypes; i++) {
-    double list[6];
+    double list[7];
     if (comm->me == 0) {
-      utils::sfread(FLERR, list, sizeof(double), 6, fp, nullptr, error);
+      utils::sfread(FLERR, list, sizeof(double), 7, fp, nullptr, error);
       utils::sfread(FLERR, are_bonded[i].data(), 1, atom->ntypes + 1, fp, nullptr, error);
     }
-    MPI_Bcast(list, 6, MPI_DOUBLE, 0, world);
+    MPI_Bcast(list, 7, MPI_DOUBLE, 0, world);
     MPI_Bcast(are_bonded[i].data(), atom->ntypes + 1, MPI_CHAR, 0, world);
     setflag[i][i] = list[0] != 0.0;
     Material &m = materials[i];
@@ -394,5 +399,6 @@ void PairTMSPH::read_restart(FILE *fp)
     m.density = list[3];
     m.expansion = list[4];
     m.reference_temperature = list[5];
+    m.horizon = list[6];
   }
 }

@@ -40,6 +40,7 @@ struct ContactPair : PairGeometry {
   double stiffness;        ///< k_n/w
   double shear_ratio;      ///< k_t/k_n
   double friction;         ///< coefficient
+  double horizon;          ///< support of the kernel
 };
 
 /** One end as a force evaluation finds it. */
@@ -119,7 +120,7 @@ inline void tangents(const double *n, const double *H, const double *N, double (
 template <int D>
 inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D> &low,
                                      const ContactEnd<D> &high, const double *moved,
-                                     Kernel kernel, double horizon, double dt)
+                                     Kernel kernel, double dt)
 {
   ContactState<D> s;
   double n_low[D], n_high[D], square = 0.0, both = 0.0;
@@ -161,8 +162,8 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
     R2 += tau * tau;
     s.slip[k] = tau_next - s.stretch * (pair.origin[k] + moved[k]);
   }
-  const double R = std::max(std::sqrt(R2), 1.0e-3 * horizon);    // w has a limit at 0
-  s.weight = kernel_slope(kernel, D, R, horizon);
+  const double R = std::max(std::sqrt(R2), 1.0e-3 * pair.horizon);    // w has a limit at 0
+  s.weight = kernel_slope(kernel, D, R, pair.horizon);
   s.stiffness = pair.stiffness * s.weight;
   s.shear_ratio = pair.shear_ratio;
   s.closing = 0.0;

@@ -164,7 +164,8 @@ class Scene(Script):
                       f"pair_style tmsph {HORIZON * cloud.spacing:.17g} {pair}"]
         for k, m in enumerate(materials, 1):
             self.lines.append(f"pair_coeff {k} {k} elastic {m['young']:.17g} {m['poisson']:.17g} "
-                              f"density {m['density']:.17g} expansion {m['expansion']:.17g}")
+                              f"density {m['density']:.17g} expansion {m['expansion']:.17g}"
+                              + (f" horizon {m['horizon']:.17g}" if "horizon" in m else ""))
         self.thermo("step pe press")
 
     def thermo(self, columns, every=1000):
