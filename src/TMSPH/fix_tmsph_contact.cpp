@@ -115,7 +115,8 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   energy = 0.0;
   const bool search_due = update->ntimestep >= next_search || update->dt != search_dt;
   const bool facing = segments && segments->any;
-  std::vector<ContactState<D>> states(pairings.size());
+  auto &states = std::get<D - 2>(states_of);
+  states.resize(pairings.size());
   if (!any_pairs && !facing) {
     if (search_due) search<D>(states);
     return;
@@ -136,23 +137,22 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   send(0, Row::COMPLIANCE);
 
   const Kernel kernel = pair->kernel_of_bonds();
+  const bool expands = pair->expands();
   const auto at = [&](int p) {
     const double *row = rows.data() + (size_t) width * p;
     return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
-                         pair->thermal_strain(p)};
+                         expands ? pair->thermal_strain(p) : 0.0};
   };
+  pressing.resize(pairings.size());
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
-    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.moved, kernel,
-                                 ahead(law, dt));
+    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.now, kernel, ahead(law, dt));
+    pressing[n] = states[n].predicted > 0.0 ? states[n].stiffness : 0.0;
   }
   if (facing) find_places(dt);
   for (const Member &m : members) {
     double stiffness = facing ? segment_stiffness(m.i) : 0.0;
-    for (int n = m.first; n < m.last; n++) {
-      const ContactState<D> &s = states[ends[n].pairing];
-      if (s.predicted > 0.0) stiffness += s.stiffness;
-    }
+    for (int n = m.first; n < m.last; n++) stiffness += pressing[ends[n].pairing];
     rows[(size_t) width * m.i + Row::COMPLIANCE] = stiffness / atom->rmass[m.i];
   }
   send(Row::COMPLIANCE, 1);
@@ -161,22 +161,24 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
 
   // forces on the higher ends
 
-  std::vector<double> forces(pairings.size() * D), heats(pair->keeps_touches() ? pairings.size() : 0);
+  acts.resize(pairings.size());
+  records_behind = true;
+  std::vector<double> heats(pair->keeps_touches() ? pairings.size() : 0);
   for (size_t n = 0; n < pairings.size(); n++) {
-    const Pairing &p = pairings[n];
+    Pairing &p = pairings[n];
     ContactState<D> &s = states[n];
+    Act &act = acts[n];
     const double frequency = rows[(size_t) width * p.low + Row::COMPLIANCE] +
         rows[(size_t) width * p.high + Row::COMPLIANCE];
     double heat = 0.0;
-    double *moved = p.moved;
-    const double before[2] = {moved[0], moved[1]};
     if (law == ContactLaw::PAPER && frequency > 0.0) {
       s.stiffness = stiffness * paper_stiffness(s.stiffness / frequency, update->dt);
       s.shear_ratio = 1.0;
     }
-    const double normal = contact_force<D>(law, p.pair, s, frequency, dt, forces.data() + n * D,
-                                           moved, heat);
-    if (p.copy && !std::equal(before, before + 2, moved)) std::copy_n(moved, 2, p.copy);
+    const double normal =
+        contact_force<D>(law, p.pair, s, frequency, dt, act.f, p.now, heat);
+    std::copy_n(s.r, D, act.r);
+    act.share = p.pair.share;
     totals[WORK] += p.copy ? heat : 0.5 * heat;
     if (!heats.empty()) heats[n] = heat;
     totals[DEEPEST] = std::max(totals[DEEPEST], s.penetration);
@@ -188,47 +190,61 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   }
 
   for (const Member &m : members) {
-    Effect effect;
-    if (facing) add_places(m.i, effect);
+    Effect counted, other;    // in the totals, or not
+    if (facing) add_places(m.i, counted, other);
     for (int n = m.first; n < m.last; n++) {
       const End &e = ends[n];
-      const ContactPair &pair = pairings[e.pairing].pair;
-      double f[3] = {}, r[3] = {};
-      std::copy_n(forces.data() + (size_t) e.pairing * D, D, f);
-      std::copy_n(states[e.pairing].r, D, r);
-      const double sign = e.low ? -1.0 : 1.0, share = e.low ? pair.share : 1.0 - pair.share;
-      effect.add(sign, share, f, r);
-      if (atom->type[m.i] < atom->type[e.j])
-        for (int a = 0; a < 3; a++) {
-          const int b = (a + 1) % 3, c = (a + 2) % 3;
-          const auto at_surface = [&](int k) { return atom->x[m.i][k] - sign * share * r[k]; };
-          totals[FORCE + a] += sign * f[a];
-          totals[TORQUE + a] += sign * (at_surface(b) * f[c] - at_surface(c) * f[b]);
-        }
+      if (pressing[e.pairing] == 0.0) continue;
+      const Act &act = acts[e.pairing];
+      Effect &effect = atom->type[m.i] < atom->type[e.j] ? counted : other;
+      effect.add<D>(e.low ? -1.0 : 1.0, e.low ? act.share : 1.0 - act.share, act.f, act.r);
     }
-    acts_on(effect, m);
+    add_to_totals(m.i, counted);
+    counted.add(other);
+    acts_on(counted, m);
   }
-  if (pair->keeps_touches()) keep_touches<D>(states, forces, heats);
+  if (pair->keeps_touches()) keep_touches<D>(states, heats);
   if (search_due) search<D>(states);
 }
 
 /* ----------------------------------------------------------------------
-   half of a contact, between two points
-   @param sign  1 at the second of them, on which f acts, -1 at the first
-   @param share depth of the particle below its surface/sum of both depths
-   @param r     from the first point to the second
+   force and torque on bodies of the lower type: the forces act at the surface, and
+   x_i x f + couple is the torque that they have there
 ------------------------------------------------------------------------- */
 
-void FixTMSPHContact::Effect::add(double sign, double share, const double *f, const double *r)
+void FixTMSPHContact::add_to_totals(int i, const Effect &effect)
 {
-  const double part = 0.25 + 0.5 * share;    // of the stress: by depth and evenly, the mean
+  const double *x = atom->x[i], *f = effect.force;
   for (int a = 0; a < 3; a++) {
-    force[a] += sign * f[a];
-    couple[a] -= share * (r[(a + 1) % 3] * f[(a + 2) % 3] - r[(a + 2) % 3] * f[(a + 1) % 3]);
-    stress[a] -= part * f[a] * r[a];
-    stress[3 + a] -= 0.5 * part * (a < 2 ? f[0] * r[a + 1] + f[a + 1] * r[0]
-                                         : f[1] * r[2] + f[2] * r[1]);
+    totals[FORCE + a] += f[a];
+    totals[TORQUE + a] += x[(a + 1) % 3] * f[(a + 2) % 3] - x[(a + 2) % 3] * f[(a + 1) % 3] +
+        effect.couple[a];
   }
+}
+
+/* ----------------------------------------------------------------------
+   the records of both ends, before they are needed: they are far apart in memory
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::write_back()
+{
+  if (!records_behind) return;
+  records_behind = false;
+  for (const Pairing &p : pairings) {
+    std::copy_n(p.now, 2, p.moved);
+    if (p.copy) std::copy_n(p.now, 2, p.copy);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::Effect::add(const Effect &other)
+{
+  for (int a = 0; a < 3; a++) {
+    force[a] += other.force[a];
+    couple[a] += other.couple[a];
+  }
+  for (int k = 0; k < 6; k++) stress[k] += other.stress[k];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -249,7 +265,6 @@ void FixTMSPHContact::acts_on(const Effect &effect, const Member &m)
 
 template <int D>
 void FixTMSPHContact::keep_touches(const std::vector<ContactState<D>> &states,
-                                   const std::vector<double> &forces,
                                    const std::vector<double> &heats)
 {
   for (const Member &m : members) {
@@ -261,8 +276,8 @@ void FixTMSPHContact::keep_touches(const std::vector<ContactState<D>> &states,
       const Pairing &p = pairings[e.pairing];
       const ContactState<D> &s = states[e.pairing];
       double normal = 0.0;
-      for (int a = 0; a < D; a++) normal += forces[(size_t) e.pairing * D + a] * s.normal[a];
-      if (!(normal > 0.0)) continue;
+      for (int a = 0; a < D; a++) normal += acts[e.pairing].f[a] * s.normal[a];
+      if (pressing[e.pairing] == 0.0 || !(normal > 0.0)) continue;
       const double weight = s.weight * atom->vfrac[p.low] * atom->vfrac[p.high];
       memory.pressed.push_back({atom->tag[e.j], weight, p.pair.distance});
       memory.rubbed += 0.5 * heats[e.pairing];

@@ -22,6 +22,7 @@ FixStyle(tmsph/contact,FixTMSPHContact);
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <tuple>
 #include <unordered_map>
 
 namespace TMSPH {
@@ -125,8 +126,9 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   struct Pairing {
     int low, high;        // by id
     int kind;             // 0: bodies that are not bonded, 1: faces of a crack or a cut, 2: met later
-    double *moved;        // of a local end
+    double *moved;        // of the record of a local end
     double *copy;         // of the other one if it is local too, or nullptr
+    double now[2];        // the same, ahead of the records: see write_back()
     TMSPH::ContactPair pair;
   };
   /** Where a particle touches the outline of another body. */
@@ -168,7 +170,12 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   /** What contacts do to a particle. */
   struct Effect {
     double force[3] = {}, stress[6] = {}, couple[3] = {};    // stress: times volume
-    void add(double sign, double share, const double *f, const double *r);
+    template <int D> void add(double sign, double share, const double *f, const double *r);
+    void add(const Effect &);
+  };
+  /** What a pair does in a step, in the compact form that both ends take it from. */
+  struct Act {
+    double f[3], r[3], share;
   };
   /** One end of a pair, at a local particle. */
   struct End {
@@ -195,6 +202,10 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   std::vector<Member> members;
   std::vector<End> ends;                     // of each member by ascending partner
   std::vector<Pairing> pairings;
+  std::tuple<std::vector<TMSPH::ContactState<2>>, std::vector<TMSPH::ContactState<3>>> states_of;
+  std::vector<double> pressing;              // stiffness of each pair that presses, else 0
+  std::vector<Act> acts;                     // of those
+  bool records_behind;                       // the pairings know more than the records
   std::vector<Couple> couple_list;
   bool any_pairs;                            // on any processor
   bool resumed;                              // the setup takes the forces of the last step again
@@ -236,10 +247,11 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void plan_search();
   template <int D> void evaluate(double dt);
   void acts_on(const Effect &, const Member &);
+  void write_back();
+  void add_to_totals(int i, const Effect &);
   template <int D> void apply_again();
   template <int D>
-  void keep_touches(const std::vector<TMSPH::ContactState<D>> &, const std::vector<double> &forces,
-                    const std::vector<double> &heats);
+  void keep_touches(const std::vector<TMSPH::ContactState<D>> &, const std::vector<double> &heats);
   void add_virial();
   bool is_slave(int itype, int jtype) const;
   double touching_distance(int i, int a, int b, double along) const;
@@ -251,7 +263,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   double segment_stiffness(int i) const;
   void hold_places(double dt);
   void hold(Slave &, double dt);
-  void add_places(int i, Effect &) const;
+  void add_places(int i, Effect &counted, Effect &other) const;
   void keep_places(int i, Memory &) const;
   template <class Use> void places_at_master(const Master &, Use) const;
   void send(int first, int count);
@@ -259,6 +271,28 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   static int exchange_size(int nrecords, int nmet, int nanchors, int npressed);
   int exchange_size(const Memory &, bool at_most) const;
 };
+
+/** Half of a contact, between two points.
+    @param sign  1 at the second of them, on which f acts, -1 at the first
+    @param share depth of the particle below its surface/sum of both depths
+    @param r     from the first point to the second */
+template <int D>
+inline void FixTMSPHContact::Effect::add(double sign, double share, const double *f,
+                                         const double *r)
+{
+  const double part = 0.25 + 0.5 * share;    // of the stress: by depth and evenly, the mean
+  for (int a = 0; a < D; a++) {
+    force[a] += sign * f[a];
+    stress[a] -= part * f[a] * r[a];
+  }
+  couple[2] -= share * (r[0] * f[1] - r[1] * f[0]);
+  stress[3] -= 0.5 * part * (f[0] * r[1] + f[1] * r[0]);
+  if (D == 2) return;
+  couple[0] -= share * (r[1] * f[2] - r[2] * f[1]);
+  couple[1] -= share * (r[2] * f[0] - r[0] * f[2]);
+  stress[4] -= 0.5 * part * (f[0] * r[2] + f[2] * r[0]);
+  stress[5] -= 0.5 * part * (f[1] * r[2] + f[2] * r[1]);
+}
 
 }    // namespace LAMMPS_NS
 

@@ -28,7 +28,7 @@ using TMSPH::PairGeometry;
 FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), self(true),
     law(TMSPH::ContactLaw::IMPLICIT), stiffness(1.0),
-    any_pairs(false), resumed(false), version(-1), removals(0),
+    records_behind(false), any_pairs(false), resumed(false), version(-1), removals(0),
     distance_checked(false), sides_checked(false), surfaces_version(-1), surfaces_removals(0), next_search(0),
     search_dt(0.0), width(0), sent_first(0),
     sent_count(0), totals{}, energy(0.0)
@@ -171,6 +171,7 @@ int FixTMSPHContact::exchange_size(const Memory &m, bool at_most) const
 
 int FixTMSPHContact::pack_exchange(int i, double *buf)
 {
+  write_back();
   const auto found = memories.find(atom->tag[i]);
   if (found == memories.end()) {
     buf[0] = ubuf(-1).d;

@@ -66,6 +66,7 @@ void FixTMSPHContact::follow(bool after_breaks)
 
 int FixTMSPHContact::list_members()
 {
+  write_back();
   std::unordered_map<tagint, Memory> kept;
   members.clear();
   ends.clear();
@@ -132,7 +133,9 @@ void FixTMSPHContact::list_pairs()
     const int state = e.met ? -1 : bonds->state_with(m.i, tag[e.j]);
     const int kind = e.met ? 2 : state == FixTMSPHBond::UNBONDED ? 0 : 1;
     e.pairing = pairings.size();
-    pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, kind, e.moved(), nullptr, {}});
+    double *moved = e.moved();
+    pairings.push_back(
+        {e.low ? m.i : e.j, e.low ? e.j : m.i, kind, moved, nullptr, {moved[0], moved[1]}, {}});
     if (e.met) static_cast<PairGeometry &>(pairings.back().pair) = e.met->geometry;
   };
   for (const Member &m : members)

@@ -275,6 +275,7 @@ template <int D>
 void FixTMSPHContact::search(const std::vector<ContactState<D>> &states)
 {
   using Row = SearchRow<D>;
+  write_back();
   find_surfaces<D>();
   width = Row::WIDTH;
   rows.assign((size_t) width * (atom->nlocal + atom->nghost), 0.0);

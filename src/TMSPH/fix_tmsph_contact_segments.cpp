@@ -489,33 +489,29 @@ void FixTMSPHContact::hold(Slave &slave, double dt)
       totals[NORMAL] += normal[n];
     }
     energy += 0.5 * normal[n] * normal[n] / k + 0.5 * rubbing * rubbing / (ratio * k);
-    const double sign = atom->type[i] < atom->type[p.a] ? -1.0 : 1.0;
-    const double at[2] = {x[0] + share * out[Row::R], x[1] + share * out[Row::R + 1]};
-    for (int c = 0; c < 2; c++) totals[FORCE + c] += sign * out[Row::F + c];
-    totals[TORQUE + 2] += sign * (at[0] * out[Row::F + 1] - at[1] * out[Row::F]);
   }
   memory.anchors = std::move(anchors);
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHContact::add_places(int i, Effect &effect) const
+void FixTMSPHContact::add_places(int i, Effect &counted, Effect &other) const
 {
   const Segments &s = *segments;
-  const auto add = [&effect](double sign, double weight, const double *force, double share) {
-    const double f[3] = {weight * force[Row::F], weight * force[Row::F + 1], 0.0};
-    const double r[3] = {force[Row::R], force[Row::R + 1], 0.0};
-    effect.add(sign, share, f, r);
+  const auto add = [&](int j, double sign, double weight, const double *force, double share) {
+    Effect &effect = atom->type[i] < atom->type[j] ? counted : other;
+    const double f[2] = {weight * force[Row::F], weight * force[Row::F + 1]};
+    effect.add<2>(sign, share, f, force + Row::R);
   };
   if (s.slave_of[i] >= 0)
     for (int n = 0; n < s.slaves[s.slave_of[i]].count; n++) {
       const double *force = rows.data() + (size_t) width * i + Row::FORCE + n * Row::FORCE_SIZE;
-      add(-1.0, 1.0, force, force[Row::SHARE]);
+      add(s.slaves[s.slave_of[i]].place[n].a, -1.0, 1.0, force, force[Row::SHARE]);
     }
   if (s.master_of[i] >= 0)
     places_at_master(s.masters[s.master_of[i]],
-                     [&add](int, const double *, const double *force, double weight) {
-                       add(1.0, weight, force, 1.0 - force[Row::SHARE]);
+                     [&add](int j, const double *, const double *force, double weight) {
+                       add(j, 1.0, weight, force, 1.0 - force[Row::SHARE]);
                      });
 }
 

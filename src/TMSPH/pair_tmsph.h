@@ -133,6 +133,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   /// only with a contact set
   const double *step_gradient() const { return gradient.data(); }
   double thermal_strain(int i) const;
+  bool expands() const { return on.thermal != TMSPH::ThermalStrain::NONE; }
   unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
 
