@@ -320,7 +320,8 @@ void FixTMSPHContact::find_places(double dt)
       }
       const double k = law == ContactLaw::PAPER
           ? stiffness * paper_stiffness(atom->rmass[i], update->dt)
-          : half_cells(cells, 2, stiffness, p.touching - p.distance) * spacing[0];
+          : half_cells(cells, 2, stiffness * 0.5 * (spacing[0] + spacing[1]) / p.touching,
+                       p.touching - p.distance) * spacing[0];
       slave.stiffness = std::max(slave.stiffness, k);
     }
     for (int n = 0; n < slave.count; n++) {
