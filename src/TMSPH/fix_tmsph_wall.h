@@ -40,6 +40,7 @@ class FixTMSPHWall : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
   double memory_usage() override;
+  int image(int *&, double **&) override;
 
   int pack_exchange(int, double *) override;
   int unpack_exchange(int, double *) override;
@@ -100,6 +101,9 @@ class FixTMSPHWall : public Fix {
   int version;                                    // of the bonds when they were listed
   bool started;                                   // this or an earlier run has been set up
   std::vector<Touching> touching;
+  std::vector<std::array<double, 10>> picture;    // of the last image: a type, then corners
+  std::vector<double *> picture_rows;
+  std::vector<int> picture_kinds;
 
   enum { FORCE = 0, TORQUE = 3, WORK = 6, TOUCHES, DEEPEST, NTOTALS };
   enum { DISPLACEMENT = NTOTALS, ANGLE = NTOTALS + 3, NOUTPUT };

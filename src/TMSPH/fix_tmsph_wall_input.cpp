@@ -402,6 +402,38 @@ int FixTMSPHWall::maxsize_restart()
   return 1 + maxexchange;
 }
 
+/* ----------------------------------------------------------------------
+   for dump image: lines in 2-D, triangles in 3-D
+------------------------------------------------------------------------- */
+
+int FixTMSPHWall::image(int *&kinds, double **&values)
+{
+  enum { LINE = 1, TRIANGLE = 2 };    // as in dump_image.cpp
+  const Point middle = {0.5 * (domain->boxlo[0] + domain->boxhi[0]),
+                        0.5 * (domain->boxlo[1] + domain->boxhi[1]),
+                        0.5 * (domain->boxlo[2] + domain->boxhi[2])};
+  const Point box = {domain->xprd, domain->yprd, domain->zprd};
+  std::vector<Point> corners = shape->picture(
+      motion.to_body(middle), std::sqrt(box[0] * box[0] + box[1] * box[1] + box[2] * box[2]));
+  for (Point &c : corners) c = motion.to_space(c);
+  const bool flat = domain->dimension == 2;
+  picture.clear();
+  for (size_t n = flat ? 0 : 1; n + 1 < corners.size(); n++) {
+    std::array<double, 10> row = {1.0};
+    double *to = row.data() + 1;
+    if (!flat) to = std::copy_n(corners[0].data(), 3, to);
+    to = std::copy_n(corners[n].data(), 3, to);
+    std::copy_n(corners[n + 1].data(), 3, to);
+    picture.push_back(row);
+  }
+  picture_rows.clear();
+  for (auto &row : picture) picture_rows.push_back(row.data());
+  picture_kinds.assign(picture.size(), flat ? LINE : TRIANGLE);
+  kinds = picture_kinds.data();
+  values = picture_rows.data();
+  return picture.size();
+}
+
 /* ---------------------------------------------------------------------- */
 
 double FixTMSPHWall::memory_usage()

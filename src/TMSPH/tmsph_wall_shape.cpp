@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace TMSPH;
 
@@ -195,6 +196,18 @@ double WallPolyline::distance(const Point &x) const
 
 /* ---------------------------------------------------------------------- */
 
+std::vector<Point> WallPolyline::picture(const Point & /*middle*/, double /*size*/) const
+{
+  std::vector<Point> corners = {segments.front().start};
+  for (const Segment &s : segments) {
+    const Point step = scaled(s.length, s.along);
+    corners.push_back({s.start[0] + step[0], s.start[1] + step[1], 0.0});
+  }
+  return corners;
+}
+
+/* ---------------------------------------------------------------------- */
+
 WallArc::WallArc(const Point &centre, double radius, double from, double to) :
     centre(centre), radius(radius), start(from), sweep(to - from)
 {
@@ -267,6 +280,20 @@ double WallArc::distance(const Point &x) const
 
 /* ---------------------------------------------------------------------- */
 
+std::vector<Point> WallArc::picture(const Point & /*middle*/, double /*size*/) const
+{
+  const int pieces = 1 + (int) (std::fabs(sweep) / (0.01 * PI));
+  std::vector<Point> corners;
+  for (int k = 0; k <= pieces; k++) {
+    const double angle = start + sweep * k / pieces;
+    corners.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle),
+                       0.0});
+  }
+  return corners;
+}
+
+/* ---------------------------------------------------------------------- */
+
 WallPlane::WallPlane(const Point &point, const Point &unit_normal) :
     point(point), normal(unit_normal)
 {
@@ -299,4 +326,26 @@ int WallPlane::side_of(const Point &x) const
 double WallPlane::distance(const Point &x) const
 {
   return std::fabs(height(x));
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<Point> WallPlane::picture(const Point &middle, double size) const
+{
+  const Point foot = minus(middle, scaled(height(middle), normal));
+  Point along = {0.0, 0.0, 0.0};    // the axis farthest from the normal, less its share of that
+  int axis = 0;
+  for (int a = 1; a < 3; a++)
+    if (std::fabs(normal[a]) < std::fabs(normal[axis])) axis = a;
+  for (int a = 0; a < 3; a++) along[a] = (a == axis) - normal[axis] * normal[a];
+  along = scaled(0.5 * size / std::sqrt(dot(along, along)), along);
+  const Point across = {normal[1] * along[2] - normal[2] * along[1],
+                        normal[2] * along[0] - normal[0] * along[2],
+                        normal[0] * along[1] - normal[1] * along[0]};
+  std::vector<Point> corners;
+  for (const auto &[s, t] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
+    corners.push_back({foot[0] + s * along[0] + t * across[0],
+                       foot[1] + s * along[1] + t * across[1],
+                       foot[2] + s * along[2] + t * across[2]});
+  return corners;
 }

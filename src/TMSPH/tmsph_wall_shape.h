@@ -34,6 +34,9 @@ class WallShape {
   virtual int side_of(const Point &x) const = 0;
   /// distance from the surface, without sign; a lower bound will do
   virtual double distance(const Point &x) const = 0;
+  /** Corners to draw it: of a line in 2-D, of a quadrangle in 3-D.
+      @param middle,size what is to be seen of a shape without end */
+  virtual std::vector<Point> picture(const Point &middle, double size) const = 0;
 };
 
 /** Straight segments end to end; closed if the last point is the first. At a convex corner the
@@ -46,6 +49,7 @@ class WallPolyline : public WallShape {
   int touches(const Point &x, double reach, int side, WallTouch *found) const override;
   int side_of(const Point &x) const override;
   double distance(const Point &x) const override;
+  std::vector<Point> picture(const Point &middle, double size) const override;
 
  private:
   struct Segment {
@@ -70,6 +74,7 @@ class WallArc : public WallShape {
   int touches(const Point &x, double reach, int side, WallTouch *found) const override;
   int side_of(const Point &x) const override;
   double distance(const Point &x) const override;
+  std::vector<Point> picture(const Point &middle, double size) const override;
 
  private:
   Point centre;
@@ -85,6 +90,7 @@ class WallPlane : public WallShape {
   int touches(const Point &x, double reach, int side, WallTouch *found) const override;
   int side_of(const Point &x) const override;
   double distance(const Point &x) const override;
+  std::vector<Point> picture(const Point &middle, double size) const override;
 
  private:
   Point point, normal;
