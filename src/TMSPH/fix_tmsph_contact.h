@@ -31,6 +31,10 @@ namespace TMSPH {
     kernel has a thousandth of its middle value. */
 constexpr double SEARCH_MARGIN = 0.1;
 
+/** A particle is held at an outline if it is nearer than this many of the coarsest spacing, in front
+    and behind. */
+constexpr double OUTLINE_REACH = 1.5;
+
 /** What a force evaluation tells of each particle: F - I, velocity, acceleration, compliance Kc/m. */
 template <int D> struct ContactRow {
   static constexpr int H = 0, V = D * D, A = V + D, COMPLIANCE = A + D, WIDTH = COMPLIANCE + 1;
@@ -254,6 +258,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void keep_touches(const std::vector<TMSPH::ContactState<D>> &, const std::vector<double> &heats);
   void add_virial();
   bool is_slave(int itype, int jtype) const;
+  double spacing_of(int i) const;
   double touching_distance(int i, int a, int b, double along) const;
   void find_outlines();
   void measure();

@@ -127,6 +127,9 @@ void FixTMSPHContact::init()
   pair->set_contact(this);
   version = surfaces_version = -1;
   regions.clear();
+  if (segments && !region_ids.empty())
+    error->all(FLERR, "Fix tmsph/contact surface is for method kernel: method segment takes the "
+                      "outlines of the bodies");
   for (const std::string &name : region_ids) {
     Region *region = domain->get_region_by_id(name);
     if (!region)

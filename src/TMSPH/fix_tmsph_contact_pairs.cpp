@@ -208,7 +208,6 @@ template <int D> void FixTMSPHContact::fit_pairs()
 {
   constexpr int SIZE = Moments<D>::SIZE;
   const auto kind = [](int state) { return state == FixTMSPHBond::UNBONDED ? 0 : 1; };
-  const auto spacing = [this](int i) { return std::pow(atom->vfrac[i], 1.0 / D); };
   const int nlocal = atom->nlocal;
   width = 2 * SIZE;
   rows.assign((size_t) width * (nlocal + atom->nghost), 0.0);
@@ -229,7 +228,7 @@ template <int D> void FixTMSPHContact::fit_pairs()
         R2 += X[a] * X[a];
         middle[a] = 0.5 * X[a];
       }
-      const double size = 0.5 * (spacing(m.i) + spacing(j)), reach = SHORT * size;
+      const double size = 0.5 * (spacing_of(m.i) + spacing_of(j)), reach = SHORT * size;
       if (R2 < reach * reach) marks[kind(state)].add_point(middle);
       if (kind(state) == 0) nearest = std::min(nearest, std::sqrt(R2) / size);
     }
@@ -283,7 +282,7 @@ template <int D> void FixTMSPHContact::fit_pairs()
     Moments<D> marks;
     std::copy_n(row(low) + which, SIZE, marks.m);
     marks.add(row(high) + which, X);
-    const double size = 0.5 * (spacing(low) + spacing(high));
+    const double size = 0.5 * (spacing_of(low) + spacing_of(high));
     double normal[D], centre[D], depth = 0.0;
     fit_plane<D>(marks, direction, SCATTER * size * size, normal, centre);
 

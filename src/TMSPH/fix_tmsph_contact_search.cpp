@@ -133,7 +133,7 @@ template <int D> void FixTMSPHContact::find_surfaces()
       bonds->reference_vector(i, j, X);
       own.add(X, bonds->weight(i, j));
     }
-    surfaces[i] = own.find(std::pow(atom->vfrac[i], 1.0 / D));
+    surfaces[i] = own.find(spacing_of(i));
   }
 }
 
@@ -251,8 +251,7 @@ template <int D> int FixTMSPHContact::meet()
     const double stiff = one[Row::STIFFNESS] + other[Row::STIFFNESS];
     const double pressed = stiff > 0.0 ? (one[Row::PRESSED] + other[Row::PRESSED]) / stiff : 0.0;
     const double neutral = (pressed - s.penetration) / (s.stretch * s.lean);
-    const double size = 0.5 * (std::pow(atom->vfrac[low], 1.0 / D) +
-                               std::pow(atom->vfrac[high], 1.0 / D));
+    const double size = 0.5 * (spacing_of(low) + spacing_of(high));
     const bool joins = stiff > 0.0 && neutral < depths + ROUGH * size;
     Met record = {atom->tag[j], {}, pair_of_them};
     record.geometry.distance = are(Exposure::GIVEN, true) ? depths : joins ? neutral : std::min(depths, neutral);
