@@ -76,6 +76,8 @@ class FixTMSPHBond : public Fix {
   int maxsize_restart() override;
 
   bool formed() const { return bonds_formed; }
+  /// horizon with which they formed
+  double reach() const { return horizon; }
   int count(int i) const { return npartner[i]; }
   /// bonds of local particle i when they formed
   int count_formed(int i) const;
