@@ -35,6 +35,7 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   struct SurfaceShare {
     TMSPH::Surface surface;
     double area = 0.0;             ///< 0: the particle is inside
+    double one_sidedness = 0.0;    ///< see there
   };
   /// mean power in the last advance and energy so far that a boundary or the sources brought
   struct Account {

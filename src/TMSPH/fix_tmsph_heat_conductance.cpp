@@ -29,6 +29,11 @@ static constexpr double OUTERMOST = 0.25;
 
 static constexpr double EVEN = 1.0e-6;
 
+// one-sidedness inside an irregular cloud, at least: with spacings that vary by a few thousandths;
+// and that of surfaces in multiples of it
+
+static constexpr double IRREGULAR = 1.0e-3, FAR_MORE = 3.0;
+
 // a 2-D body whose kernel sums show a thickness of 1 within this has one of 1: their own error
 
 static constexpr double SUM_ERROR = 0.1;
@@ -108,7 +113,8 @@ template <int D> std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::classify(
       share.surface.depth = own.depth_of_rows(share.surface, spacing(i));
       share.area = 2.0 * norms->vstore[i] * own.length_of_sum();
     }
-    if (exposure == Exposure::LOOSE || own.one_sidedness() > OUTERMOST) shared[i] = 1.0;
+    share.one_sidedness = own.one_sidedness();
+    if (exposure == Exposure::LOOSE || share.one_sidedness > OUTERMOST) shared[i] = 1.0;
   }
   return shares;
 }
@@ -132,16 +138,43 @@ std::vector<char> FixTMSPHHeat::near_surface(const std::vector<SurfaceShare> &sh
 }
 
 /* ----------------------------------------------------------------------
-   inside an irregular cloud bonds pull unevenly too, but there is no surface
+   Inside an irregular cloud bonds pull unevenly too: of its particles those make
+   the surface whose bonds pull far more so. Its area is then scaled by the
+   divergence theorem, integral of x.n over the surface = D times the volume;
+   in periodic directions x means nothing.
 ------------------------------------------------------------------------- */
 
 std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::surface(bool cracks)
 {
-  std::vector<SurfaceShare> shares = domain->dimension == 2 ? classify<2>(cracks)
-                                                            : classify<3>(cracks);
+  const int dimension = domain->dimension, nlocal = atom->nlocal;
+  std::vector<SurfaceShare> shares = dimension == 2 ? classify<2>(cracks) : classify<3>(cracks);
   const std::vector<char> near = near_surface(shares);
-  for (size_t i = 0; i < shares.size(); i++)
-    if (!near[i]) shares[i].area = 0.0;
+  std::vector<double> inside;
+  for (int i = 0; i < nlocal; i++)
+    if (near[i])
+      continue;
+    else {
+      inside.push_back(shares[i].one_sidedness);
+      shares[i].area = 0.0;
+    }
+  const double noise = median(inside, world);
+  if (noise < IRREGULAR) return shares;
+
+  std::vector<double> moments(nlocal), volumes(atom->vfrac, atom->vfrac + nlocal);
+  int directions = 0;
+  for (int k = 0; k < dimension; k++) directions += !domain->periodicity[k];
+  for (int i = 0; i < nlocal; i++) {
+    SurfaceShare &share = shares[i];
+    if (share.one_sidedness < FAR_MORE * noise) share.area = 0.0;
+    const double *X = bonds->reference(i), *n = share.surface.normal;
+    for (int k = 0; k < dimension; k++)
+      if (!domain->periodicity[k])
+        moments[i] += share.area * n[k] * (X[k] + share.surface.depth * n[k]);
+  }
+  const double moment = fixed_point_sum(moments, world);
+  const double volume = fixed_point_sum(volumes, world);
+  if (moment > 0.0)
+    for (SurfaceShare &share : shares) share.area *= directions * volume / moment;
   return shares;
 }
 
