@@ -17,6 +17,7 @@
 #include "input.h"
 #include "modify.h"
 #include "pair_tmsph.h"
+#include "tmsph_conduction.h"
 #include "tmsph_heat_sweep.h"
 #include "tmsph_rkl2.h"
 #include "update.h"
@@ -67,6 +68,7 @@ void FixTMSPHHeat::init()
     error->all(FLERR, "More than one fix tmsph/heat: give all types in a single one");
   bonds = pair->bonds();
   version = -1;
+  if (crosses || friction) pair->heat_crosses_contacts();
   boundaries.clear();
   for (Fix *fix : modify->get_fix_by_style("^tmsph/heat/boundary$"))
     boundaries.push_back(static_cast<FixTMSPHHeatBoundary *>(fix));
@@ -88,6 +90,9 @@ void FixTMSPHHeat::init()
 
 void FixTMSPHHeat::setup_pre_force(int /*vflag*/)
 {
+  if ((crosses || friction) && !pair->contact_of_surfaces())
+    error->all(FLERR, "Fix tmsph/heat {} needs to know what touches: add a fix tmsph/contact",
+               crosses ? "contact" : "friction");
   find_norms();
   follow();
   prepare(0.0);
@@ -168,11 +173,48 @@ void FixTMSPHHeat::prepare(double duration)
       boundaries[b]->list_exchanges(*this, exchanges);
     first_exchange.push_back(exchanges.size());
   }
+  if (friction && duration > 0.0) {
+    std::vector<PairTMSPH::Contact::Rubbing> rubbings;
+    pair->contact_of_surfaces()->rubbings(rubbings);
+    for (const auto &r : rubbings) exchanges.push_back({r.i, 0.0, 0.0, r.work / duration});
+  }
+  first_exchange.push_back(exchanges.size());
   for (const Exchange &e : exchanges) {
     heats = heats || e.power > 0.0;
     cools = cools || e.power < 0.0;
   }
+  evaluate_sources();
+  bridges.clear();
+  if (crosses) find_bridges();
 
+  // Gershgorin: lambda_max <= 2 max (sum of conductances/capacity). Up to 2/lambda_max explicit Euler
+  // takes means of temperatures with positive weights
+
+  std::vector<double> all(sums);
+  for (const Exchange &e : exchanges) all[e.i] += e.conductance;
+  for (const Bridge &b : bridges) all[b.i] += b.conductance;
+  double mine = 0.0, largest;
+  for (int i = 0; i < nlocal; i++) {
+    const double heat = substances[atom->type[i]].specific_heat.smallest();
+    if (held[i] == NOT_HELD) mine = std::max(mine, all[i] / (heat * atom->rmass[i]));
+  }
+  MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+  stable = largest > 0.0 ? 1.0 / largest : HUGE_VAL;
+
+  if (!rkl2 && duration > stable)
+    error->all(FLERR,
+               "The heat step {:.4g} (timestep x every x time/scale) of fix tmsph/heat is above the "
+               "stable one of explicit stepping, {:.4g}: shorten it, or use 'subcycle rkl2'",
+               duration, stable);
+}
+
+/* ----------------------------------------------------------------------
+   power per volume
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::evaluate_sources()
+{
+  const int nlocal = atom->nlocal;
   source_of.clear();
   for (int type = 1; type <= atom->ntypes; type++) {
     Substance &s = substances[type];
@@ -197,25 +239,28 @@ void FixTMSPHHeat::prepare(double duration)
       cools = cools || source_of[i] < 0.0;
     }
   }
+}
 
-  // Gershgorin: lambda_max <= 2 max (sum of conductances/capacity). Up to 2/lambda_max explicit Euler
-  // takes means of temperatures with positive weights
+/* ----------------------------------------------------------------------
+   Through pairs that press on each other: the area A = 2 c W D of the surface
+   that is theirs, as for bonds across a plane, and on it in series both half
+   distances and the gap.
+------------------------------------------------------------------------- */
 
-  std::vector<double> all(sums);
-  for (const Exchange &e : exchanges) all[e.i] += e.conductance;
-  double mine = 0.0, largest;
-  for (int i = 0; i < nlocal; i++) {
-    const double heat = substances[atom->type[i]].specific_heat.smallest();
-    if (held[i] == NOT_HELD) mine = std::max(mine, all[i] / (heat * atom->rmass[i]));
+void FixTMSPHHeat::find_bridges()
+{
+  std::vector<PairTMSPH::Contact::Touch> touches;
+  pair->contact_of_surfaces()->touches(touches);
+  const auto k = [this](int i) {
+    return substances[atom->type[i]].conductivity(atom->temperature[i]);
+  };
+  for (const auto &t : touches) {
+    const double h = gap[atom->type[t.i]][atom->type[t.j]];
+    if (h == 0.0) continue;
+    const double area = (all_norms[t.i] + all_norms[t.j]) * t.weight * t.distance;
+    const double resistance = t.distance / TMSPH::harmonic_mean(k(t.i), k(t.j)) + 1.0 / h;
+    bridges.push_back({t.i, t.j, area / resistance});
   }
-  MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
-  stable = largest > 0.0 ? 1.0 / largest : HUGE_VAL;
-
-  if (!rkl2 && duration > stable)
-    error->all(FLERR,
-               "The heat step {:.4g} (timestep x every x time/scale) of fix tmsph/heat is above the "
-               "stable one of explicit stepping, {:.4g}: shorten it, or use 'subcycle rkl2'",
-               duration, stable);
 }
 
 /* ----------------------------------------------------------------------
@@ -308,8 +353,9 @@ void FixTMSPHHeat::rates(const std::vector<double> &y, std::vector<double> &rate
   TMSPH::heat_sweep(bonds->layout(), conductances.data(), T,
                     tables ? conductivities.data() : nullptr, power.data());
   applications++;
+  for (const Bridge &b : bridges) power[b.i] += b.conductance * (T[b.j] - T[b.i]);
   std::fill(rate.begin() + nlocal, rate.end(), 0.0);
-  for (size_t b = 0; b < boundaries.size(); b++)
+  for (size_t b = 0; b < accounts.size(); b++)
     for (int n = first_exchange[b]; n < first_exchange[b + 1]; n++) {
       const Exchange &e = exchanges[n];
       const double gain = e.conductance * (e.outside - T[e.i]) + e.power;

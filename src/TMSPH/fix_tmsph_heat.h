@@ -88,6 +88,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   bool rkl2, tables;               // some conductivity depends on temperature
   int every;
   double time_scale;
+  std::vector<std::vector<double>> gap;    // conductance of closed cracks by type and type, or 0
+  bool crosses, friction;          // any of them is not 0; friction heats
   bool told;
 
   std::vector<class FixTMSPHHeatBoundary *> boundaries;
@@ -103,8 +105,13 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   // of the advance that goes on. The energies of the accounts are stages of the same scheme as
   // the temperatures, so that what is gained and lost adds up to the last digits
 
+  struct Bridge {
+    int i, j;                      // a local particle, and a local or ghost one
+    double conductance;
+  };
+  std::vector<Bridge> bridges;     // across closed cracks and between bodies
   std::vector<Exchange> exchanges;
-  std::vector<int> first_exchange; // of each boundary
+  std::vector<int> first_exchange; // of each boundary, then of friction
   static constexpr int NOT_HELD = -1;
   std::vector<int> held;           // [nlocal] boundary that gives the temperature, or NOT_HELD
   std::vector<double> source_of;   // power per volume of local particles, if any
@@ -128,6 +135,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void follow();
   void share(std::vector<double> &);
   void prepare(double duration);
+  void evaluate_sources();
+  void find_bridges();
   void step(double duration, std::vector<double> &y);
   void super_step(double duration, std::vector<double> &y);
   void euler_step(double duration, std::vector<double> &y);
