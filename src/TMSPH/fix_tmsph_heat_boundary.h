@@ -14,12 +14,13 @@ FixStyle(tmsph/heat/boundary,FixTMSPHHeatBoundary);
 #define LMP_FIX_TMSPH_HEAT_BOUNDARY_H
 
 #include "fix.h"
+#include "tmsph_heat_clock.h"
 
 #include <string>
 
 namespace LAMMPS_NS {
 
-class FixTMSPHHeatBoundary : public Fix {
+class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock {
  public:
   FixTMSPHHeatBoundary(class LAMMPS *, int, char **);
   int setmask() override;
@@ -28,6 +29,7 @@ class FixTMSPHHeatBoundary : public Fix {
   void pre_force(int) override;
   void min_pre_force(int) override;
   double compute_scalar() override;
+  int reach(int, double) override;
 
  private:
   double value;            // temperature in force
