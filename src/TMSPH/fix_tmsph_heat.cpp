@@ -94,7 +94,6 @@ void FixTMSPHHeat::setup_pre_force(int /*vflag*/)
     error->all(FLERR, "Fix tmsph/heat {} needs to know what touches: add a fix tmsph/contact",
                crosses ? "contact" : "friction");
   find_norms();
-  follow();
   prepare(0.0);
   if (!told) tell();
   told = true;
@@ -106,49 +105,99 @@ void FixTMSPHHeat::setup_pre_force(int /*vflag*/)
 
 void FixTMSPHHeat::pre_force(int /*vflag*/)
 {
-  if (update->ntimestep % every == 0) advance(every * time_scale * update->dt, HUGE_VAL);
+  if (update->ntimestep % every != 0) return;
+  if (friction) collect_friction();
+  const double duration = every * time_scale * update->dt;
+  prepare(duration);
+  std::vector<double> y;
+  attempt(duration, y);
+  commit(duration, y);
 }
 
 /* ----------------------------------------------------------------------
-   With a largest change a step that turns out too long is taken back; the next
-   attempt starts from what went well before.
+   quasi-static stepping: an attempt that turns out too long is taken back, the
+   next call starts from what went well before
 ------------------------------------------------------------------------- */
 
-double FixTMSPHHeat::advance(double duration, double largest_change)
+int FixTMSPHHeat::advance(int most, double largest_change)
+{
+  const bigint now = update->ntimestep;
+  const double *T = atom->temperature;
+  const std::vector<double> before(T, T + atom->nlocal);
+  const std::vector<Account> accounts_before(accounts);
+  std::vector<double> y;
+  int steps = std::min(most, 2 * comfortable);
+  if (friction) collect_friction();
+  for (;;) {
+    const double duration = steps * time_scale * update->dt;
+    update->ntimestep = now + steps;    // for variables
+    prepare(duration);
+    attempt(duration, y);
+    update->ntimestep = now;
+    double mine = 0.0, change;
+    for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, std::fabs(T[i] - before[i]));
+    MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
+    if (steps == 1 || change <= largest_change) {
+      commit(duration, y);
+      break;
+    }
+    std::copy(before.begin(), before.end(), atom->temperature);
+    accounts = accounts_before;
+    steps = std::max(1, (int) (steps * std::max(0.1, 0.9 * largest_change / change)));
+  }
+  comfortable = steps;
+  return steps;
+}
+
+/* ----------------------------------------------------------------------
+   @param y enthalpies of the local particles, then energies of the accounts
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::attempt(double duration, std::vector<double> &y)
 {
   const int nlocal = atom->nlocal;
-  const bool limited = std::isfinite(largest_change);
-  follow();
-  prepare(duration);
-  double time = limited ? std::min(duration, 2.0 * comfortable) : duration;
-  const std::vector<double> before(atom->temperature, atom->temperature + nlocal);
-  std::vector<double> start(nlocal + accounts.size()), y;
-  for (int i = 0; i < nlocal; i++) start[i] = enthalpy(i, before[i]);
-
-  for (;;) {
-    y = start;
-    step(time, y);
-    put_temperatures(y);
-    double mine = 0.0, change;
-    for (int i = 0; i < nlocal; i++)
-      mine = std::max(mine, std::fabs(atom->temperature[i] - before[i]));
-    if (!std::isfinite(mine)) mine = HUGE_VAL;
-    MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
-    if (!std::isfinite(change))
-      error->all(FLERR, "A temperature of fix tmsph/heat is no number any more on step {}: check "
-                        "the values given to its boundaries and sources", update->ntimestep);
-    fastest = time > 0.0 ? change / time : 0.0;
-    if (!limited || change <= largest_change) break;
-    time *= std::max(0.1, 0.9 * largest_change / change);
+  const double *T = atom->temperature;
+  const std::vector<double> before(T, T + nlocal);
+  y.assign(nlocal + accounts.size(), 0.0);
+  for (int i = 0; i < nlocal; i++) y[i] = enthalpy(i, T[i]);
+  step(duration, y);
+  put_temperatures(y);
+  double mine = 0.0, change;
+  for (int i = 0; i < nlocal; i++) {
+    const double d = std::fabs(T[i] - before[i]);
+    if (!(d <= mine)) mine = std::isfinite(d) ? d : HUGE_VAL;
   }
-  if (limited) comfortable = time;
+  MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (!std::isfinite(change))
+    error->all(FLERR, "A temperature of fix tmsph/heat is no number any more on step {}: check the "
+                      "values given to its boundaries and sources", update->ntimestep);
+  fastest = change / duration;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::commit(double duration, const std::vector<double> &y)
+{
+  const int nlocal = atom->nlocal;
   for (size_t n = 0; n < accounts.size(); n++) {
     accounts[n].energy += y[nlocal + n];
-    accounts[n].power = time > 0.0 ? y[nlocal + n] / time : 0.0;
+    accounts[n].power = y[nlocal + n] / duration;
   }
-  for (int i = 0; i < nlocal; i++) atom->heatflow[i] = power[i];
-  covered += time;
-  return time;
+  std::copy(power.begin(), power.end(), atom->heatflow);
+  covered += duration;
+  rubbed.clear();
+}
+
+/* ----------------------------------------------------------------------
+   energies that friction took since the last advance
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::collect_friction()
+{
+  std::vector<PairTMSPH::Contact::Rubbing> rubbings;
+  pair->contact_of_surfaces()->rubbings(rubbings);
+  rubbed.clear();
+  for (const auto &r : rubbings) rubbed.push_back({r.i, 0.0, 0.0, r.work});
 }
 
 /* ----------------------------------------------------------------------
@@ -158,6 +207,7 @@ double FixTMSPHHeat::advance(double duration, double largest_change)
 void FixTMSPHHeat::prepare(double duration)
 {
   const int nlocal = atom->nlocal;
+  follow();
   held.assign(nlocal, NOT_HELD);
   exchanges.clear();
   first_exchange.assign(1, 0);
@@ -173,11 +223,8 @@ void FixTMSPHHeat::prepare(double duration)
       boundaries[b]->list_exchanges(*this, exchanges);
     first_exchange.push_back(exchanges.size());
   }
-  if (friction && duration > 0.0) {
-    std::vector<PairTMSPH::Contact::Rubbing> rubbings;
-    pair->contact_of_surfaces()->rubbings(rubbings);
-    for (const auto &r : rubbings) exchanges.push_back({r.i, 0.0, 0.0, r.work / duration});
-  }
+  if (duration > 0.0)
+    for (const Exchange &r : rubbed) exchanges.push_back({r.i, 0.0, 0.0, r.power / duration});
   first_exchange.push_back(exchanges.size());
   for (const Exchange &e : exchanges) {
     heats = heats || e.power > 0.0;

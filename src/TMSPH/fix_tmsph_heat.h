@@ -57,7 +57,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  double advance(double duration, double largest_change) override;
+  int reach(int most, double /*largest_change*/) override { return most; }
+  int advance(int most, double largest_change) override;
 
   /** The surface of the body as its reference bonds show it (collective).
       @param cracks bonds that are gone count as surface too
@@ -110,7 +111,7 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
     double conductance;
   };
   std::vector<Bridge> bridges;     // across closed cracks and between bodies
-  std::vector<Exchange> exchanges;
+  std::vector<Exchange> exchanges, rubbed;    // in the latter energies instead of powers
   std::vector<int> first_exchange; // of each boundary, then of friction
   static constexpr int NOT_HELD = -1;
   std::vector<int> held;           // [nlocal] boundary that gives the temperature, or NOT_HELD
@@ -119,7 +120,7 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   bool heats, cools;               // sources or fluxes that move the bounds of the temperatures
   double stable, covered;          // explicit step; time covered so far
   double fastest;                  // largest rate of a temperature in the last advance
-  double comfortable;              // duration of an advance that kept to its largest change
+  int comfortable;                 // steps of an advance that kept to its largest change
   bigint applications;             // of the operator, so far
   std::vector<Account> accounts;   // of the boundaries, then of all sources
   int source_account() const { return boundaries.size(); }
@@ -134,6 +135,9 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void drop_conductances();
   void follow();
   void share(std::vector<double> &);
+  void attempt(double duration, std::vector<double> &y);
+  void commit(double duration, const std::vector<double> &y);
+  void collect_friction();
   void prepare(double duration);
   void evaluate_sources();
   void find_bridges();

@@ -356,3 +356,34 @@ double FixTMSPHHeatBoundary::compute_vector(int n)
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
 }
+
+/* ----------------------------------------------------------------------
+   the variable is asked ahead: 1, 2, 4 ... steps, then by bisection
+------------------------------------------------------------------------- */
+
+int FixTMSPHHeatBoundary::reach(int most, double largest_change)
+{
+  if (!body || variable.empty() || !input->variable->equalstyle(variable_index)) return most;
+  const bigint now = update->ntimestep;
+  const auto within = [&](int steps) {
+    update->ntimestep = now + steps;
+    modify->clearstep_compute();
+    const double then = input->variable->compute_equal(variable_index);
+    update->ntimestep = now;
+    return std::fabs(then - value) <= largest_change;
+  };
+  int good = 1, bad = most + 1;
+  while (good < most) {
+    const int next = good > most / 2 ? most : 2 * good;
+    if (!within(next)) {
+      bad = next;
+      break;
+    }
+    good = next;
+  }
+  while (bad - good > 1) {
+    const int middle = good + (bad - good) / 2;
+    (within(middle) ? good : bad) = middle;
+  }
+  return std::min(good, most);
+}

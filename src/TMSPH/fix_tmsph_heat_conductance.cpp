@@ -13,6 +13,7 @@
 #include "fix_store_atom.h"
 #include "fix_tmsph_bond.h"
 #include "tmsph_conduction.h"
+#include "tmsph_fixed_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,23 +40,21 @@ static constexpr double IRREGULAR = 1.0e-3, FAR_MORE = 3.0;
 static constexpr double SUM_ERROR = 0.1;
 
 /* ----------------------------------------------------------------------
-   a sum that does not depend on how its terms are spread over processors: in
-   integers, as fine as their number allows
+   a sum that does not depend on how its terms are spread over processors
 ------------------------------------------------------------------------- */
 
 static double fixed_point_sum(const std::vector<double> &terms, MPI_Comm world)
 {
-  double mine = 0.0, largest;
-  bigint count = terms.size(), total, sum = 0, all;
-  for (double term : terms) mine = std::max(mine, std::fabs(term));
+  const int n = terms.size();
+  const std::vector<double> ones(n, 1.0);
+  double mine = largest_magnitude(n, terms.data()), largest;
+  bigint count = n, total, all;
   MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
   MPI_Allreduce(&count, &total, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  if (largest == 0.0) return 0.0;
-  int exponent;
-  std::frexp(largest * (double) total, &exponent);
-  for (double term : terms) sum += std::llround(std::ldexp(term, 61 - exponent));
+  const double scale = fixed_point_scale(largest * (double) total);
+  bigint sum = fixed_point_dot(n, terms.data(), ones.data(), scale);
   MPI_Allreduce(&sum, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return std::ldexp((double) all, exponent - 61);
+  return scale > 0.0 ? (double) all / scale : 0.0;
 }
 
 /* ----------------------------------------------------------------------

@@ -37,7 +37,7 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     substances(atom->ntypes + 1), rkl2(true), tables(false), every(1), time_scale(1.0),
     gap(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0)), crosses(false),
     friction(false), told(false), thickness(1.0), version(-1), removals(0), what_to_send(TEMPERATURE),
-    heats(false), cools(false), stable(0.0), covered(0.0), fastest(0.0), comfortable(HUGE_VAL),
+    heats(false), cools(false), stable(0.0), covered(0.0), fastest(0.0), comfortable(MAXSMALLINT / 2),
     applications(0)
 {
   if (!atom->temperature_flag || !atom->vfrac_flag || !atom->rmass_flag)
@@ -280,7 +280,7 @@ void FixTMSPHHeat::tell()
 void FixTMSPHHeat::write_restart(FILE *fp)
 {
   std::vector<double> list = {thickness,   covered, (double) applications, fastest,
-                              comfortable, stable,  (double) accounts.size()};
+                              (double) comfortable, stable, (double) accounts.size()};
   for (const Account &a : accounts) {
     double mine[2] = {a.power, a.energy}, all[2];
     MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
@@ -302,7 +302,7 @@ void FixTMSPHHeat::restart(char *buf)
   covered = list[1];
   applications = (bigint) list[2];
   fastest = list[3];
-  comfortable = list[4];
+  comfortable = (int) list[4];
   stable = list[5];
   accounts.assign((size_t) list[6], Account());
   if (comm->me) return;
