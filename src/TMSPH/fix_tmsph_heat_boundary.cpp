@@ -46,6 +46,7 @@ FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
   parse(narg, arg);
   scalar_flag = vector_flag = 1;
   size_vector = 4;
+  comm_forward = 1;
   extscalar = extvector = 0;
   global_freq = 1;
 }
@@ -208,10 +209,7 @@ void FixTMSPHHeatBoundary::hold_temperature()
   double *T = atom->temperature;
   for (int i = 0; i < atom->nlocal + (values.empty() ? atom->nghost : 0); i++)
     if (atom->mask[i] & groupbit) T[i] = values.empty() ? value : values[i];
-  if (!variable.empty() && input->variable->atomstyle(variable_index)) {
-    comm_forward = 1;
-    comm->forward_comm(this);
-  }
+  if (!variable.empty() && input->variable->atomstyle(variable_index)) comm->forward_comm(this);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -196,9 +196,7 @@ void FixTMSPHHeat::find_norms()
   int lacking = 0, any;
   for (int i = 0; i < nlocal; i++) lacking = lacking || norms->vstore[i] == 0.0;
   MPI_Allreduce(&lacking, &any, 1, MPI_INT, MPI_MAX, world);
-  bool orthotropic = false;
-  for (const Substance &s : substances) orthotropic = orthotropic || s.orthotropic;
-  if (!any && !orthotropic) return;
+  if (!any) return;
 
   std::vector<double> second(nlocal);    // sum_j V_j w R^2
   for (int i = 0; i < nlocal; i++) {
@@ -225,15 +223,12 @@ void FixTMSPHHeat::find_norms()
     const double middle = median(inside, world);
     return middle > 0.0 ? middle : largest;
   };
-  if (any) {
-    if (dimension == 2) thickness = typical(0) / dimension;
-    if (std::fabs(thickness - 1.0) < SUM_ERROR) thickness = 1.0;
-    for (int type = 1; type <= atom->ntypes; type++) {
-      const double sum = typical(type);
-      for (int i = 0; i < nlocal; i++)
-        if (atom->type[i] == type)
-          norms->vstore[i] = dimension / (near[i] ? sum : second[i]);
-    }
+  if (dimension == 2) thickness = typical(0) / dimension;
+  if (std::fabs(thickness - 1.0) < SUM_ERROR) thickness = 1.0;
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const double sum = typical(type);
+    for (int i = 0; i < nlocal; i++)
+      if (atom->type[i] == type) norms->vstore[i] = dimension / (near[i] ? sum : second[i]);
   }
   for (int type = 1; type <= atom->ntypes; type++)
     if (substances[type].orthotropic)

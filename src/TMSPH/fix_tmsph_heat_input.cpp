@@ -286,6 +286,8 @@ void FixTMSPHHeat::write_restart(FILE *fp)
     MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
     list.insert(list.end(), all, all + 2);
   }
+  for (const Substance &s : substances)
+    list.insert(list.end(), s.calibrated, s.calibrated + 9);
   if (comm->me) return;
   const int size = list.size() * sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
@@ -305,11 +307,16 @@ void FixTMSPHHeat::restart(char *buf)
   comfortable = (int) list[4];
   stable = list[5];
   accounts.assign((size_t) list[6], Account());
-  if (comm->me) return;
-  for (size_t n = 0; n < accounts.size(); n++) {
+  buf += sizeof(list);
+  for (Account &account : accounts) {
     double both[2];
-    memcpy(both, buf + sizeof(list) + n * sizeof(both), sizeof(both));
-    accounts[n] = {both[0], both[1]};
+    memcpy(both, buf, sizeof(both));
+    if (comm->me == 0) account = {both[0], both[1]};
+    buf += sizeof(both);
+  }
+  for (Substance &s : substances) {
+    memcpy(s.calibrated, buf, sizeof(s.calibrated));
+    buf += sizeof(s.calibrated);
   }
 }
 
