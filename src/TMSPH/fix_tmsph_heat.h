@@ -66,8 +66,6 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   std::vector<SurfaceShare> surface(bool cracks);
   /// of the material of local particle i at its temperature, along a direction of unit length
   double conductivity(int i, const double *direction) const;
-  /// edge of the cell of local particle i
-  double spacing(int i) const;
   class FixTMSPHBond *bonds_of_body() const { return bonds; }
   /// this processor's share
   Account account(const class FixTMSPHHeatBoundary *) const;
@@ -94,7 +92,6 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   bool told;
 
   std::vector<class FixTMSPHHeatBoundary *> boundaries;
-  double thickness;                // in 2-D; 1 in 3-D
   int version, removals;           // of the bonds when the conductances were found
   std::vector<float> conductances; // [row][8], without the conductivity if there are tables
   std::vector<double> conductivities;    // of local and ghost particles, with tables

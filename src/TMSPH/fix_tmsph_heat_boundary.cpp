@@ -291,7 +291,7 @@ void FixTMSPHHeatBoundary::find_surface()
       if (exact.exposure == TMSPH::Exposure::GIVEN) share.surface = exact;
     }
     row[AREA] = share.area;
-    row[DEPTH] = std::max(share.surface.depth, LEAST_DEPTH * heat->spacing(i));
+    row[DEPTH] = std::max(share.surface.depth, LEAST_DEPTH * bonds.spacing(i));
     std::copy_n(share.surface.normal, 3, row + NORMAL);
     area += share.area;
   }

@@ -35,10 +35,6 @@ static constexpr double EVEN = 1.0e-6;
 
 static constexpr double IRREGULAR = 1.0e-3, FAR_MORE = 3.0;
 
-// a 2-D body whose kernel sums show a thickness of 1 within this has one of 1: their own error
-
-static constexpr double SUM_ERROR = 0.1;
-
 /* ----------------------------------------------------------------------
    a sum that does not depend on how its terms are spread over processors
 ------------------------------------------------------------------------- */
@@ -106,10 +102,10 @@ template <int D> std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::classify(
       own.add(X, bonds->weight(i, j));
     }
     SurfaceShare &share = shares[i];
-    share.surface = own.find(spacing(i), EVEN);
+    share.surface = own.find(bonds->spacing(i), EVEN);
     const Exposure exposure = share.surface.exposure;
     if (exposure == Exposure::SURFACE) {
-      share.surface.depth = own.depth_of_rows(share.surface, spacing(i));
+      share.surface.depth = own.depth_of_rows(share.surface, bonds->spacing(i));
       share.area = 2.0 * norms->vstore[i] * own.length_of_sum();
     }
     share.one_sidedness = own.one_sidedness();
@@ -177,13 +173,6 @@ std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::surface(bool cracks)
   return shares;
 }
 
-/* ---------------------------------------------------------------------- */
-
-double FixTMSPHHeat::spacing(int i) const
-{
-  return domain->dimension == 2 ? std::sqrt(atom->vfrac[i] / thickness) : std::cbrt(atom->vfrac[i]);
-}
-
 /* ----------------------------------------------------------------------
    c = D/sum_j V_j w R^2 of each particle from all bonds that it had, so that
    broken ones do not make the others conduct better. Near a surface, where the
@@ -215,7 +204,7 @@ void FixTMSPHHeat::find_norms()
     std::vector<double> inside;
     double mine = 0.0, largest;
     for (int i = 0; i < nlocal; i++) {
-      if (type && atom->type[i] != type) continue;
+      if (atom->type[i] != type) continue;
       mine = std::max(mine, second[i]);
       if (!near[i]) inside.push_back(second[i]);
     }
@@ -223,8 +212,6 @@ void FixTMSPHHeat::find_norms()
     const double middle = median(inside, world);
     return middle > 0.0 ? middle : largest;
   };
-  if (dimension == 2) thickness = typical(0) / dimension;
-  if (std::fabs(thickness - 1.0) < SUM_ERROR) thickness = 1.0;
   for (int type = 1; type <= atom->ntypes; type++) {
     const double sum = typical(type);
     for (int i = 0; i < nlocal; i++)

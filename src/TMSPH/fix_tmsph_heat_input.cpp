@@ -36,7 +36,7 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), norms(nullptr),
     substances(atom->ntypes + 1), rkl2(true), tables(false), every(1), time_scale(1.0),
     gap(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0)), crosses(false),
-    friction(false), told(false), thickness(1.0), version(-1), removals(0), what_to_send(TEMPERATURE),
+    friction(false), told(false), version(-1), removals(0), what_to_send(TEMPERATURE),
     heats(false), cools(false), stable(0.0), covered(0.0), fastest(0.0), comfortable(MAXSMALLINT / 2),
     applications(0)
 {
@@ -279,7 +279,7 @@ void FixTMSPHHeat::tell()
 
 void FixTMSPHHeat::write_restart(FILE *fp)
 {
-  std::vector<double> list = {thickness,   covered, (double) applications, fastest,
+  std::vector<double> list = {covered, (double) applications, fastest,
                               (double) comfortable, stable, (double) accounts.size()};
   for (const Account &a : accounts) {
     double mine[2] = {a.power, a.energy}, all[2];
@@ -298,15 +298,14 @@ void FixTMSPHHeat::write_restart(FILE *fp)
 
 void FixTMSPHHeat::restart(char *buf)
 {
-  double list[7];
+  double list[6];
   memcpy(list, buf, sizeof(list));
-  thickness = list[0];
-  covered = list[1];
-  applications = (bigint) list[2];
-  fastest = list[3];
-  comfortable = (int) list[4];
-  stable = list[5];
-  accounts.assign((size_t) list[6], Account());
+  covered = list[0];
+  applications = (bigint) list[1];
+  fastest = list[2];
+  comfortable = (int) list[3];
+  stable = list[4];
+  accounts.assign((size_t) list[5], Account());
   buf += sizeof(list);
   for (Account &account : accounts) {
     double both[2];
