@@ -119,6 +119,8 @@ class FixTMSPHBond : public Fix {
   float weight(int i, int j) const;
   /// tr K/D of the interior when the bonds formed
   double interior_kappa() const { return kappa; }
+  /// edge of the cell of a local or ghost particle, in 2-D in the plane
+  double spacing(int i) const;
 
  private:
   TMSPHBondUser *user;

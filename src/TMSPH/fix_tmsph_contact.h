@@ -85,7 +85,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
     std::vector<Record> records;                     // of the reference family, ascending partners
     std::vector<Met> met;                            // ascending partners
     std::vector<Pressed> pressed;                    // ascending partners; only for heat
-    double rubbed = 0.0;                             // only for heat: work lost by friction
+    double rubbed = 0.0;                             // only for heat: work of friction not yet taken
   };
   /** Two particles, at least one of them local, computed once. */
   struct Pairing {

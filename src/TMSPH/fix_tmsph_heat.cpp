@@ -17,6 +17,7 @@
 #include "input.h"
 #include "modify.h"
 #include "pair_tmsph.h"
+#include "tmsph_conduction.h"
 #include "tmsph_heat_sweep.h"
 #include "tmsph_rkl2.h"
 #include "update.h"
@@ -67,6 +68,7 @@ void FixTMSPHHeat::init()
     error->all(FLERR, "More than one fix tmsph/heat: give all types in a single one");
   bonds = pair->bonds();
   version = -1;
+  if (crosses || friction) pair->heat_crosses_contacts();
   boundaries.clear();
   for (Fix *fix : modify->get_fix_by_style("^tmsph/heat/boundary$"))
     boundaries.push_back(static_cast<FixTMSPHHeatBoundary *>(fix));
@@ -88,8 +90,10 @@ void FixTMSPHHeat::init()
 
 void FixTMSPHHeat::setup_pre_force(int /*vflag*/)
 {
+  if ((crosses || friction) && !pair->contact_of_surfaces())
+    error->all(FLERR, "Fix tmsph/heat {} needs to know what touches: add a fix tmsph/contact",
+               crosses ? "contact" : "friction");
   find_norms();
-  follow();
   prepare(0.0);
   if (!told) tell();
   told = true;
@@ -101,49 +105,99 @@ void FixTMSPHHeat::setup_pre_force(int /*vflag*/)
 
 void FixTMSPHHeat::pre_force(int /*vflag*/)
 {
-  if (update->ntimestep % every == 0) advance(every * time_scale * update->dt, HUGE_VAL);
+  if (update->ntimestep % every != 0) return;
+  if (friction) collect_friction();
+  const double duration = every * time_scale * update->dt;
+  prepare(duration);
+  std::vector<double> y;
+  attempt(duration, y);
+  commit(duration, y);
 }
 
 /* ----------------------------------------------------------------------
-   With a largest change a step that turns out too long is taken back; the next
-   attempt starts from what went well before.
+   quasi-static stepping: an attempt that turns out too long is taken back, the
+   next call starts from what went well before
 ------------------------------------------------------------------------- */
 
-double FixTMSPHHeat::advance(double duration, double largest_change)
+int FixTMSPHHeat::advance(int most, double largest_change)
+{
+  const bigint now = update->ntimestep;
+  const double *T = atom->temperature;
+  const std::vector<double> before(T, T + atom->nlocal);
+  const std::vector<Account> accounts_before(accounts);
+  std::vector<double> y;
+  int steps = std::min(most, 2 * comfortable);
+  if (friction) collect_friction();
+  for (;;) {
+    const double duration = steps * time_scale * update->dt;
+    update->ntimestep = now + steps;    // for variables
+    prepare(duration);
+    attempt(duration, y);
+    update->ntimestep = now;
+    double mine = 0.0, change;
+    for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, std::fabs(T[i] - before[i]));
+    MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
+    if (steps == 1 || change <= largest_change) {
+      commit(duration, y);
+      break;
+    }
+    std::copy(before.begin(), before.end(), atom->temperature);
+    accounts = accounts_before;
+    steps = std::max(1, (int) (steps * std::max(0.1, 0.9 * largest_change / change)));
+  }
+  comfortable = steps;
+  return steps;
+}
+
+/* ----------------------------------------------------------------------
+   @param y enthalpies of the local particles, then energies of the accounts
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::attempt(double duration, std::vector<double> &y)
 {
   const int nlocal = atom->nlocal;
-  const bool limited = std::isfinite(largest_change);
-  follow();
-  prepare(duration);
-  double time = limited ? std::min(duration, 2.0 * comfortable) : duration;
-  const std::vector<double> before(atom->temperature, atom->temperature + nlocal);
-  std::vector<double> start(nlocal + accounts.size()), y;
-  for (int i = 0; i < nlocal; i++) start[i] = enthalpy(i, before[i]);
-
-  for (;;) {
-    y = start;
-    step(time, y);
-    put_temperatures(y);
-    double mine = 0.0, change;
-    for (int i = 0; i < nlocal; i++)
-      mine = std::max(mine, std::fabs(atom->temperature[i] - before[i]));
-    if (!std::isfinite(mine)) mine = HUGE_VAL;
-    MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
-    if (!std::isfinite(change))
-      error->all(FLERR, "A temperature of fix tmsph/heat is no number any more on step {}: check "
-                        "the values given to its boundaries and sources", update->ntimestep);
-    fastest = time > 0.0 ? change / time : 0.0;
-    if (!limited || change <= largest_change) break;
-    time *= std::max(0.1, 0.9 * largest_change / change);
+  const double *T = atom->temperature;
+  const std::vector<double> before(T, T + nlocal);
+  y.assign(nlocal + accounts.size(), 0.0);
+  for (int i = 0; i < nlocal; i++) y[i] = enthalpy(i, T[i]);
+  step(duration, y);
+  put_temperatures(y);
+  double mine = 0.0, change;
+  for (int i = 0; i < nlocal; i++) {
+    const double d = std::fabs(T[i] - before[i]);
+    if (!(d <= mine)) mine = std::isfinite(d) ? d : HUGE_VAL;
   }
-  if (limited) comfortable = time;
+  MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (!std::isfinite(change))
+    error->all(FLERR, "A temperature of fix tmsph/heat is no number any more on step {}: check the "
+                      "values given to its boundaries and sources", update->ntimestep);
+  fastest = change / duration;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::commit(double duration, const std::vector<double> &y)
+{
+  const int nlocal = atom->nlocal;
   for (size_t n = 0; n < accounts.size(); n++) {
     accounts[n].energy += y[nlocal + n];
-    accounts[n].power = time > 0.0 ? y[nlocal + n] / time : 0.0;
+    accounts[n].power = y[nlocal + n] / duration;
   }
-  for (int i = 0; i < nlocal; i++) atom->heatflow[i] = power[i];
-  covered += time;
-  return time;
+  std::copy(power.begin(), power.end(), atom->heatflow);
+  covered += duration;
+  rubbed.clear();
+}
+
+/* ----------------------------------------------------------------------
+   energies that friction took since the last advance
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::collect_friction()
+{
+  std::vector<PairTMSPH::Contact::Rubbing> rubbings;
+  pair->contact_of_surfaces()->rubbings(rubbings);
+  rubbed.clear();
+  for (const auto &r : rubbings) rubbed.push_back({r.i, 0.0, 0.0, r.work});
 }
 
 /* ----------------------------------------------------------------------
@@ -153,6 +207,7 @@ double FixTMSPHHeat::advance(double duration, double largest_change)
 void FixTMSPHHeat::prepare(double duration)
 {
   const int nlocal = atom->nlocal;
+  follow();
   held.assign(nlocal, NOT_HELD);
   exchanges.clear();
   first_exchange.assign(1, 0);
@@ -168,11 +223,45 @@ void FixTMSPHHeat::prepare(double duration)
       boundaries[b]->list_exchanges(*this, exchanges);
     first_exchange.push_back(exchanges.size());
   }
+  if (duration > 0.0)
+    for (const Exchange &r : rubbed) exchanges.push_back({r.i, 0.0, 0.0, r.power / duration});
+  first_exchange.push_back(exchanges.size());
   for (const Exchange &e : exchanges) {
     heats = heats || e.power > 0.0;
     cools = cools || e.power < 0.0;
   }
+  evaluate_sources();
+  bridges.clear();
+  if (crosses) find_bridges();
 
+  // Gershgorin: lambda_max <= 2 max (sum of conductances/capacity). Up to 2/lambda_max explicit Euler
+  // takes means of temperatures with positive weights
+
+  std::vector<double> all(sums);
+  for (const Exchange &e : exchanges) all[e.i] += e.conductance;
+  for (const Bridge &b : bridges) all[b.i] += b.conductance;
+  double mine = 0.0, largest;
+  for (int i = 0; i < nlocal; i++) {
+    const double heat = substances[atom->type[i]].specific_heat.smallest();
+    if (held[i] == NOT_HELD) mine = std::max(mine, all[i] / (heat * atom->rmass[i]));
+  }
+  MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+  stable = largest > 0.0 ? 1.0 / largest : HUGE_VAL;
+
+  if (!rkl2 && duration > stable)
+    error->all(FLERR,
+               "The heat step {:.4g} (timestep x every x time/scale) of fix tmsph/heat is above the "
+               "stable one of explicit stepping, {:.4g}: shorten it, or use 'subcycle rkl2'",
+               duration, stable);
+}
+
+/* ----------------------------------------------------------------------
+   power per volume
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::evaluate_sources()
+{
+  const int nlocal = atom->nlocal;
   source_of.clear();
   for (int type = 1; type <= atom->ntypes; type++) {
     Substance &s = substances[type];
@@ -197,25 +286,28 @@ void FixTMSPHHeat::prepare(double duration)
       cools = cools || source_of[i] < 0.0;
     }
   }
+}
 
-  // Gershgorin: lambda_max <= 2 max (sum of conductances/capacity). Up to 2/lambda_max explicit Euler
-  // takes means of temperatures with positive weights
+/* ----------------------------------------------------------------------
+   Through pairs that press on each other: the area A = 2 c W D of the surface
+   that is theirs, as for bonds across a plane, and on it in series both half
+   distances and the gap.
+------------------------------------------------------------------------- */
 
-  std::vector<double> all(sums);
-  for (const Exchange &e : exchanges) all[e.i] += e.conductance;
-  double mine = 0.0, largest;
-  for (int i = 0; i < nlocal; i++) {
-    const double heat = substances[atom->type[i]].specific_heat.smallest();
-    if (held[i] == NOT_HELD) mine = std::max(mine, all[i] / (heat * atom->rmass[i]));
+void FixTMSPHHeat::find_bridges()
+{
+  std::vector<PairTMSPH::Contact::Touch> touches;
+  pair->contact_of_surfaces()->touches(touches);
+  const auto k = [this](int i) {
+    return substances[atom->type[i]].conductivity(atom->temperature[i]);
+  };
+  for (const auto &t : touches) {
+    const double h = gap[atom->type[t.i]][atom->type[t.j]];
+    if (h == 0.0) continue;
+    const double area = (all_norms[t.i] + all_norms[t.j]) * t.weight * t.distance;
+    const double resistance = t.distance / TMSPH::harmonic_mean(k(t.i), k(t.j)) + 1.0 / h;
+    bridges.push_back({t.i, t.j, area / resistance});
   }
-  MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
-  stable = largest > 0.0 ? 1.0 / largest : HUGE_VAL;
-
-  if (!rkl2 && duration > stable)
-    error->all(FLERR,
-               "The heat step {:.4g} (timestep x every x time/scale) of fix tmsph/heat is above the "
-               "stable one of explicit stepping, {:.4g}: shorten it, or use 'subcycle rkl2'",
-               duration, stable);
 }
 
 /* ----------------------------------------------------------------------
@@ -308,8 +400,9 @@ void FixTMSPHHeat::rates(const std::vector<double> &y, std::vector<double> &rate
   TMSPH::heat_sweep(bonds->layout(), conductances.data(), T,
                     tables ? conductivities.data() : nullptr, power.data());
   applications++;
+  for (const Bridge &b : bridges) power[b.i] += b.conductance * (T[b.j] - T[b.i]);
   std::fill(rate.begin() + nlocal, rate.end(), 0.0);
-  for (size_t b = 0; b < boundaries.size(); b++)
+  for (size_t b = 0; b < accounts.size(); b++)
     for (int n = first_exchange[b]; n < first_exchange[b + 1]; n++) {
       const Exchange &e = exchanges[n];
       const double gain = e.conductance * (e.outside - T[e.i]) + e.power;

@@ -57,7 +57,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  double advance(double duration, double largest_change) override;
+  int reach(int most, double /*largest_change*/) override { return most; }
+  int advance(int most, double largest_change) override;
 
   /** The surface of the body as its reference bonds show it (collective).
       @param cracks bonds that are gone count as surface too
@@ -65,8 +66,6 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   std::vector<SurfaceShare> surface(bool cracks);
   /// of the material of local particle i at its temperature, along a direction of unit length
   double conductivity(int i, const double *direction) const;
-  /// edge of the cell of local particle i
-  double spacing(int i) const;
   class FixTMSPHBond *bonds_of_body() const { return bonds; }
   /// this processor's share
   Account account(const class FixTMSPHHeatBoundary *) const;
@@ -88,10 +87,11 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   bool rkl2, tables;               // some conductivity depends on temperature
   int every;
   double time_scale;
+  std::vector<std::vector<double>> gap;    // conductance of closed cracks by type and type, or 0
+  bool crosses, friction;          // any of them is not 0; friction heats
   bool told;
 
   std::vector<class FixTMSPHHeatBoundary *> boundaries;
-  double thickness;                // in 2-D; 1 in 3-D
   int version, removals;           // of the bonds when the conductances were found
   std::vector<float> conductances; // [row][8], without the conductivity if there are tables
   std::vector<double> conductivities;    // of local and ghost particles, with tables
@@ -103,8 +103,13 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   // of the advance that goes on. The energies of the accounts are stages of the same scheme as
   // the temperatures, so that what is gained and lost adds up to the last digits
 
-  std::vector<Exchange> exchanges;
-  std::vector<int> first_exchange; // of each boundary
+  struct Bridge {
+    int i, j;                      // a local particle, and a local or ghost one
+    double conductance;
+  };
+  std::vector<Bridge> bridges;     // across closed cracks and between bodies
+  std::vector<Exchange> exchanges, rubbed;    // in the latter energies instead of powers
+  std::vector<int> first_exchange; // of each boundary, then of friction
   static constexpr int NOT_HELD = -1;
   std::vector<int> held;           // [nlocal] boundary that gives the temperature, or NOT_HELD
   std::vector<double> source_of;   // power per volume of local particles, if any
@@ -112,7 +117,7 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   bool heats, cools;               // sources or fluxes that move the bounds of the temperatures
   double stable, covered;          // explicit step; time covered so far
   double fastest;                  // largest rate of a temperature in the last advance
-  double comfortable;              // duration of an advance that kept to its largest change
+  int comfortable;                 // steps of an advance that kept to its largest change
   bigint applications;             // of the operator, so far
   std::vector<Account> accounts;   // of the boundaries, then of all sources
   int source_account() const { return boundaries.size(); }
@@ -127,7 +132,12 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void drop_conductances();
   void follow();
   void share(std::vector<double> &);
+  void attempt(double duration, std::vector<double> &y);
+  void commit(double duration, const std::vector<double> &y);
+  void collect_friction();
   void prepare(double duration);
+  void evaluate_sources();
+  void find_bridges();
   void step(double duration, std::vector<double> &y);
   void super_step(double duration, std::vector<double> &y);
   void euler_step(double duration, std::vector<double> &y);

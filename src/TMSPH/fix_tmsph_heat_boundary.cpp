@@ -46,6 +46,7 @@ FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
   parse(narg, arg);
   scalar_flag = vector_flag = 1;
   size_vector = 4;
+  comm_forward = 1;
   extscalar = extvector = 0;
   global_freq = 1;
 }
@@ -208,10 +209,7 @@ void FixTMSPHHeatBoundary::hold_temperature()
   double *T = atom->temperature;
   for (int i = 0; i < atom->nlocal + (values.empty() ? atom->nghost : 0); i++)
     if (atom->mask[i] & groupbit) T[i] = values.empty() ? value : values[i];
-  if (!variable.empty() && input->variable->atomstyle(variable_index)) {
-    comm_forward = 1;
-    comm->forward_comm(this);
-  }
+  if (!variable.empty() && input->variable->atomstyle(variable_index)) comm->forward_comm(this);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -293,7 +291,7 @@ void FixTMSPHHeatBoundary::find_surface()
       if (exact.exposure == TMSPH::Exposure::GIVEN) share.surface = exact;
     }
     row[AREA] = share.area;
-    row[DEPTH] = std::max(share.surface.depth, LEAST_DEPTH * heat->spacing(i));
+    row[DEPTH] = std::max(share.surface.depth, LEAST_DEPTH * bonds.spacing(i));
     std::copy_n(share.surface.normal, 3, row + NORMAL);
     area += share.area;
   }
@@ -355,4 +353,35 @@ double FixTMSPHHeatBoundary::compute_vector(int n)
     }
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
+}
+
+/* ----------------------------------------------------------------------
+   the variable is asked ahead: 1, 2, 4 ... steps, then by bisection
+------------------------------------------------------------------------- */
+
+int FixTMSPHHeatBoundary::reach(int most, double largest_change)
+{
+  if (!body || variable.empty() || !input->variable->equalstyle(variable_index)) return most;
+  const bigint now = update->ntimestep;
+  const auto within = [&](int steps) {
+    update->ntimestep = now + steps;
+    modify->clearstep_compute();
+    const double then = input->variable->compute_equal(variable_index);
+    update->ntimestep = now;
+    return std::fabs(then - value) <= largest_change;
+  };
+  int good = 1, bad = most + 1;
+  while (good < most) {
+    const int next = good > most / 2 ? most : 2 * good;
+    if (!within(next)) {
+      bad = next;
+      break;
+    }
+    good = next;
+  }
+  while (bad - good > 1) {
+    const int middle = good + (bad - good) / 2;
+    (within(middle) ? good : bad) = middle;
+  }
+  return std::min(good, most);
 }

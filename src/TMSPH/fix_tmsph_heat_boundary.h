@@ -18,7 +18,7 @@ FixStyle(tmsph/heat/boundary,FixTMSPHHeatBoundary);
 
 namespace LAMMPS_NS {
 
-class FixTMSPHHeatBoundary : public Fix {
+class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock {
  public:
   FixTMSPHHeatBoundary(class LAMMPS *, int, char **);
   ~FixTMSPHHeatBoundary() override;
@@ -39,6 +39,7 @@ class FixTMSPHHeatBoundary : public Fix {
   void hold_temperature();
   /// what the particles at the surface exchange now; appends (collective)
   void list_exchanges(FixTMSPHHeat &, std::vector<FixTMSPHHeat::Exchange> &);
+  int reach(int, double) override;
 
  private:
   enum Kind { TEMPERATURE, FLUX, CONVECTION, RADIATION } kind;

@@ -13,6 +13,7 @@
 #include "fix_store_atom.h"
 #include "fix_tmsph_bond.h"
 #include "tmsph_conduction.h"
+#include "tmsph_fixed_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,28 +35,22 @@ static constexpr double EVEN = 1.0e-6;
 
 static constexpr double IRREGULAR = 1.0e-3, FAR_MORE = 3.0;
 
-// a 2-D body whose kernel sums show a thickness of 1 within this has one of 1: their own error
-
-static constexpr double SUM_ERROR = 0.1;
-
 /* ----------------------------------------------------------------------
-   a sum that does not depend on how its terms are spread over processors: in
-   integers, as fine as their number allows
+   a sum that does not depend on how its terms are spread over processors
 ------------------------------------------------------------------------- */
 
 static double fixed_point_sum(const std::vector<double> &terms, MPI_Comm world)
 {
-  double mine = 0.0, largest;
-  bigint count = terms.size(), total, sum = 0, all;
-  for (double term : terms) mine = std::max(mine, std::fabs(term));
+  const int n = terms.size();
+  const std::vector<double> ones(n, 1.0);
+  double mine = largest_magnitude(n, terms.data()), largest;
+  bigint count = n, total, all;
   MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
   MPI_Allreduce(&count, &total, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  if (largest == 0.0) return 0.0;
-  int exponent;
-  std::frexp(largest * (double) total, &exponent);
-  for (double term : terms) sum += std::llround(std::ldexp(term, 61 - exponent));
+  const double scale = fixed_point_scale(largest * (double) total);
+  bigint sum = fixed_point_dot(n, terms.data(), ones.data(), scale);
   MPI_Allreduce(&sum, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return std::ldexp((double) all, exponent - 61);
+  return scale > 0.0 ? (double) all / scale : 0.0;
 }
 
 /* ----------------------------------------------------------------------
@@ -107,10 +102,10 @@ template <int D> std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::classify(
       own.add(X, bonds->weight(i, j));
     }
     SurfaceShare &share = shares[i];
-    share.surface = own.find(spacing(i), EVEN);
+    share.surface = own.find(bonds->spacing(i), EVEN);
     const Exposure exposure = share.surface.exposure;
     if (exposure == Exposure::SURFACE) {
-      share.surface.depth = own.depth_of_rows(share.surface, spacing(i));
+      share.surface.depth = own.depth_of_rows(share.surface, bonds->spacing(i));
       share.area = 2.0 * norms->vstore[i] * own.length_of_sum();
     }
     share.one_sidedness = own.one_sidedness();
@@ -178,13 +173,6 @@ std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::surface(bool cracks)
   return shares;
 }
 
-/* ---------------------------------------------------------------------- */
-
-double FixTMSPHHeat::spacing(int i) const
-{
-  return domain->dimension == 2 ? std::sqrt(atom->vfrac[i] / thickness) : std::cbrt(atom->vfrac[i]);
-}
-
 /* ----------------------------------------------------------------------
    c = D/sum_j V_j w R^2 of each particle from all bonds that it had, so that
    broken ones do not make the others conduct better. Near a surface, where the
@@ -197,9 +185,7 @@ void FixTMSPHHeat::find_norms()
   int lacking = 0, any;
   for (int i = 0; i < nlocal; i++) lacking = lacking || norms->vstore[i] == 0.0;
   MPI_Allreduce(&lacking, &any, 1, MPI_INT, MPI_MAX, world);
-  bool orthotropic = false;
-  for (const Substance &s : substances) orthotropic = orthotropic || s.orthotropic;
-  if (!any && !orthotropic) return;
+  if (!any) return;
 
   std::vector<double> second(nlocal);    // sum_j V_j w R^2
   for (int i = 0; i < nlocal; i++) {
@@ -218,7 +204,7 @@ void FixTMSPHHeat::find_norms()
     std::vector<double> inside;
     double mine = 0.0, largest;
     for (int i = 0; i < nlocal; i++) {
-      if (type && atom->type[i] != type) continue;
+      if (atom->type[i] != type) continue;
       mine = std::max(mine, second[i]);
       if (!near[i]) inside.push_back(second[i]);
     }
@@ -226,15 +212,10 @@ void FixTMSPHHeat::find_norms()
     const double middle = median(inside, world);
     return middle > 0.0 ? middle : largest;
   };
-  if (any) {
-    if (dimension == 2) thickness = typical(0) / dimension;
-    if (std::fabs(thickness - 1.0) < SUM_ERROR) thickness = 1.0;
-    for (int type = 1; type <= atom->ntypes; type++) {
-      const double sum = typical(type);
-      for (int i = 0; i < nlocal; i++)
-        if (atom->type[i] == type)
-          norms->vstore[i] = dimension / (near[i] ? sum : second[i]);
-    }
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const double sum = typical(type);
+    for (int i = 0; i < nlocal; i++)
+      if (atom->type[i] == type) norms->vstore[i] = dimension / (near[i] ? sum : second[i]);
   }
   for (int type = 1; type <= atom->ntypes; type++)
     if (substances[type].orthotropic)

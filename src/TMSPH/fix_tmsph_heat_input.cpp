@@ -35,8 +35,9 @@ static constexpr double WAVE_PASSAGES = 50.0;
 FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), norms(nullptr),
     substances(atom->ntypes + 1), rkl2(true), tables(false), every(1), time_scale(1.0),
-    told(false), thickness(1.0), version(-1), removals(0), what_to_send(TEMPERATURE),
-    heats(false), cools(false), stable(0.0), covered(0.0), fastest(0.0), comfortable(HUGE_VAL),
+    gap(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0)), crosses(false),
+    friction(false), told(false), version(-1), removals(0), what_to_send(TEMPERATURE),
+    heats(false), cools(false), stable(0.0), covered(0.0), fastest(0.0), comfortable(MAXSMALLINT / 2),
     applications(0)
 {
   if (!atom->temperature_flag || !atom->vfrac_flag || !atom->rmass_flag)
@@ -115,7 +116,8 @@ static int parse_property(LAMMPS *lmp, const std::string &word, int iarg, int na
 
 /* ----------------------------------------------------------------------
    keywords: conductivity and specific/heat TYPES value, source TYPES value,
-   subcycle explicit|rkl2, time/scale S, every N
+   contact TYPES TYPES h, friction yes|no, subcycle explicit|rkl2, time/scale S,
+   every N
 ------------------------------------------------------------------------- */
 
 void FixTMSPHHeat::parse(int narg, char **arg)
@@ -124,10 +126,11 @@ void FixTMSPHHeat::parse(int narg, char **arg)
   while (iarg < narg) {
     const std::string word = arg[iarg];
     const bool by_type = word == "conductivity" || word == "specific/heat" || word == "source";
-    if (!by_type && word != "subcycle" && word != "time/scale" && word != "every")
+    const auto others = {"contact", "friction", "subcycle", "time/scale", "every"};
+    if (!by_type && std::find(others.begin(), others.end(), word) == others.end())
       error->all(FLERR, "Unknown keyword '{}' of fix tmsph/heat: use conductivity, specific/heat, "
-                        "source, subcycle, time/scale or every", word);
-    if (iarg + (by_type ? 2 : 1) >= narg)
+                        "source, contact, friction, subcycle, time/scale or every", word);
+    if (iarg + (word == "contact" ? 3 : by_type ? 2 : 1) >= narg)
       utils::missing_cmd_args(FLERR, "fix tmsph/heat " + word, error);
     const char *value = arg[iarg + 1];
     if (by_type) {
@@ -158,7 +161,23 @@ void FixTMSPHHeat::parse(int narg, char **arg)
       iarg = next;
       continue;
     }
-    if (word == "subcycle") {
+    if (word == "contact") {
+      int ilo, ihi, jlo, jhi;
+      utils::bounds(FLERR, arg[iarg + 1], 1, atom->ntypes, ilo, ihi, error);
+      utils::bounds(FLERR, arg[iarg + 2], 1, atom->ntypes, jlo, jhi, error);
+      const double h = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
+      if (!(h >= 0.0 && std::isfinite(h)))
+        error->all(FLERR, "Fix tmsph/heat contact {} must not be negative: it is the conductance of a "
+                          "closed crack per area", arg[iarg + 3]);
+      for (int i = ilo; i <= ihi; i++)
+        for (int j = jlo; j <= jhi; j++) gap[i][j] = gap[j][i] = h;
+      crosses = crosses || h > 0.0;
+      iarg += 4;
+      continue;
+    }
+    if (word == "friction")
+      friction = utils::logical(FLERR, value, false, lmp);
+    else if (word == "subcycle") {
       if (strcmp(value, "rkl2") != 0 && strcmp(value, "explicit") != 0)
         error->all(FLERR, "Unknown value '{}' of fix tmsph/heat subcycle: use explicit or rkl2",
                    value);
@@ -260,13 +279,15 @@ void FixTMSPHHeat::tell()
 
 void FixTMSPHHeat::write_restart(FILE *fp)
 {
-  std::vector<double> list = {thickness,   covered, (double) applications, fastest,
-                              comfortable, stable,  (double) accounts.size()};
+  std::vector<double> list = {covered, (double) applications, fastest,
+                              (double) comfortable, stable, (double) accounts.size()};
   for (const Account &a : accounts) {
     double mine[2] = {a.power, a.energy}, all[2];
     MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
     list.insert(list.end(), all, all + 2);
   }
+  for (const Substance &s : substances)
+    list.insert(list.end(), s.calibrated, s.calibrated + 9);
   if (comm->me) return;
   const int size = list.size() * sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
@@ -277,20 +298,24 @@ void FixTMSPHHeat::write_restart(FILE *fp)
 
 void FixTMSPHHeat::restart(char *buf)
 {
-  double list[7];
+  double list[6];
   memcpy(list, buf, sizeof(list));
-  thickness = list[0];
-  covered = list[1];
-  applications = (bigint) list[2];
-  fastest = list[3];
-  comfortable = list[4];
-  stable = list[5];
-  accounts.assign((size_t) list[6], Account());
-  if (comm->me) return;
-  for (size_t n = 0; n < accounts.size(); n++) {
+  covered = list[0];
+  applications = (bigint) list[1];
+  fastest = list[2];
+  comfortable = (int) list[3];
+  stable = list[4];
+  accounts.assign((size_t) list[5], Account());
+  buf += sizeof(list);
+  for (Account &account : accounts) {
     double both[2];
-    memcpy(both, buf + sizeof(list) + n * sizeof(both), sizeof(both));
-    accounts[n] = {both[0], both[1]};
+    memcpy(both, buf, sizeof(both));
+    if (comm->me == 0) account = {both[0], both[1]};
+    buf += sizeof(both);
+  }
+  for (Substance &s : substances) {
+    memcpy(s.calibrated, buf, sizeof(s.calibrated));
+    buf += sizeof(s.calibrated);
   }
 }
 

@@ -65,7 +65,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
       double weight;     ///< V_i V_j w_ij as the contact took it
       double distance;   ///< of the two along the normal when the surfaces just touch
     };
-    /// friction took this energy at local particle i in the last step: half of that of its pairs
+    /// friction took this energy at local particle i since the last call: half of that of its pairs
     struct Rubbing {
       int i;
       double work;
