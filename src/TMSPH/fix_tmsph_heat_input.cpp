@@ -75,12 +75,13 @@ static int parse_property(LAMMPS *lmp, const std::string &word, int iarg, int na
         if (!reader.find_section_start(arg[iarg + 2]))
           trouble = fmt::format("it has no section {}", arg[iarg + 2]);
         else {
-          reader.skip_line();
-          while (char *line = reader.next_line()) {
-            ValueTokenizer numbers(line);
-            if (numbers.count() != 2) break;
-            T.push_back(numbers.next_double());
-            values.push_back(numbers.next_double());
+          while (char *line = reader.next_line()) {    // up to the name of another section
+            ValueTokenizer words(line);
+            if (words.count() == 1) break;
+            if (words.count() != 2)
+              throw TokenizerException("lines must be 'temperature value', not", line);
+            T.push_back(words.next_double());
+            values.push_back(words.next_double());
           }
         }
       } catch (std::exception &e) {
