@@ -1,12 +1,12 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Hollow cylinder, hot inside and cold outside: the steady temperature and the thermal stress of
 the coupled model against the closed form (Timoshenko and Goodier, Theory of Elasticity, 3rd ed.,
-sect. 150), in plane strain and plane stress. Away from the surfaces is more than a horizon. With
-"all": more resolutions, for the report."""
+sect. 150), in plane strain and plane stress. Away from the surfaces, which are staircases, is a
+horizon of the coarser cylinder. With "all": more resolutions and lattices, for the report."""
 
 from heat_scenes import *
 
-INNER, OUTER, HOT = 0.5, 1.0, 100.0
+INNER, OUTER, HOT, AWAY = 0.5, 1.0, 100.0, HORIZON / 20
 ROCK = material(40e9, 0.25, 2700.0, 1e-5)
 
 
@@ -48,14 +48,14 @@ def cylinder(n, plane, name="hex"):
     xx, yy, xy = end("c_p[1] c_p[2] c_p[3]").T
     measured = (c * c * xx + s * s * yy + 2 * c * s * xy, s * s * xx + c * c * yy - 2 * c * s * xy)
     error = np.stack([measured[0] - radial, measured[1] - hoop]) / np.abs(hoop).max()
-    away = (r - a > HORIZON * spacing) & (b - r > HORIZON * spacing)
+    away = np.minimum(r - a, b - r) > AWAY * (b - a)
     return (rms(end["c_T"] - steady) / HOT, rms(error[:, away]), np.abs(error[:, away]).max(),
             rms(error))
 
 
 report = Report()
 sizes = (10, 20, 40) if "all" in sys.argv else (20, 40)
-for plane in ("strain", "stress"):
+for plane in ("strain", "stress") if "all" in sys.argv else ("strain",):
     for name in ("hex", "square") if "all" in sys.argv else ("hex",):
         T, typical, largest, everywhere = zip(*[cylinder(n, plane, name) for n in sizes])
         what = f"plane {plane}, {name}"

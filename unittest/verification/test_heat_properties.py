@@ -60,7 +60,7 @@ def lumps(report):
     cloud = slab(n)
     for h, strength, what in ((0.5, 0.0, "convection"), (0.0, 0.02, "radiation")):
         condition = f"convection {h} 0.2" if h else f"radiation {strength} 1.0 zero -2.0"
-        steps = [10, 20]
+        steps = [20, 40]
         errors = []
         for count in steps:
             scene = Heated(cloud, words, f"fix b all tmsph/heat/boundary {condition}", start=3.0)
