@@ -23,18 +23,24 @@ def layers(n, name, ratio):
     return enters * (0.5 + 0.5 / ratio), abs(enters / leaves - 1)
 
 
-def crack(n, name, more=""):
-    """Power of both sides, of a slab cut in the middle."""
+def crack(n, name, film=None):
+    """A slab cut in the middle, then pressed together by one part in 10000 if the crack has a film:
+    temperatures, and the power that enters per area."""
     cloud = slab(n, name)
-    last = cloud.X[:, 0][cloud.X[:, 0] < 0.5].max()
-    first = cloud.X[:, 0][cloud.X[:, 0] > 0.5].min()
-    middle = 0.5 * (last + first)
-    low, high = cloud.box[0][1] - 1, cloud.box[1][1] + 1
-    cut = f"tmsph/cut all line {middle:.17g} {low:.17g} {middle:.17g} {high:.17g}"
-    scene = Heated(cloud, UNIFORM + more, BETWEEN, start=np.where(cloud.X[:, 0] < 0.5, 0.3, 0.6))
-    scene.add(cut)
-    T = scene.run_to(4.0, 40, columns="step f_a[1] f_b[1]")
-    return cloud, T, scene.done
+    x = np.unique(cloud.X[:, 0])
+    middle = 0.5 * (x[x < 0.5].max() + x[x > 0.5].min())
+    cut = f"line {middle:.17g} -9 {middle:.17g} 9" if cloud.dimension == 2 else \
+        f"disc {middle:.17g} 0.5 0.5 1 0 0 9"
+    words = UNIFORM + ("" if film is None else f" contact * * {film}")
+    scene = Heated(cloud, words, BETWEEN, start=np.where(cloud.X[:, 0] < 0.5, 0.3, 0.6))
+    scene.add(f"tmsph/cut all {cut}")
+    if film is not None:
+        scene.add("fix touch all tmsph/contact friction * * 0.3\ntimestep 1e-9\nrun 0")
+        scene.move(cloud.X * ([1 - 1e-4] + [1.0] * (cloud.dimension - 1)))
+    T = scene.run_to(12.0, 60, columns="step f_a[1] f_b[1]")
+    area = np.prod((cloud.box[1] - cloud.box[0])[1:])
+    enters, leaves = (scene.done.thermo(name)[-1] / area for name in ("f_a[1]", "f_b[1]"))
+    return cloud, T, enters, abs(enters + leaves)
 
 
 report = Report()
@@ -51,9 +57,16 @@ for name in ("square", "hex"):
 flux, _ = layers(12, "sc", 1000.0)
 report.below("sc, 1:1000: error of the flux at 12", abs(flux - 1), 0.01 * 20 / 12)
 
-cloud, T, run = crack(20, "square")
-left = cloud.X[:, 0] < 0.5
-report.below("open crack: power through it", abs(run.thermo("f_a[1]")[-1]), 1e-12)
-report.below("open crack: sides at their own temperatures",
-             max(np.abs(T[left] - 1).max(), np.abs(T[~left]).max()), 1e-10)
+for name, n in (("square", 20), ("hex", 20), ("sc", 12)):
+    cloud, T, power, _ = crack(n, name)
+    left = cloud.X[:, 0] < 0.5
+    report.below(f"{name}, open crack: power through it", abs(power), 1e-12)
+    report.below(f"{name}, open crack: sides at their own temperatures",
+                 max(np.abs(T[left] - 1).max(), np.abs(T[~left]).max()), 1e-10)
+    for film in (0.5, 2.0, 50.0):
+        _, _, power, unsteady = crack(n, name, film)
+        what = f"{name}, closed crack, film {film:g}"
+        report.below(f"{what}: not yet steady", unsteady, 1e-6)
+        report.below(f"{what}: error of the flux of resistances in series",
+                     abs(power * (1 + 1 / film) - 1), 0.01)
 report.finish()
