@@ -99,6 +99,10 @@ def rms(error, volume=None):
     return np.sqrt(np.average(np.square(error), weights=volume))
 
 
+def listed(values):
+    return ", ".join(f"{v:.3e}" for v in values)
+
+
 def weight(R, horizon, dimension):
     """w(R) = -W'(R)/R of the Wendland kernel up to a constant factor, which the norm cancels."""
     q = 2 * R / horizon

@@ -50,7 +50,7 @@ for name in ("square", "hex"):
         flux, unsteady = np.transpose([layers(n, name, ratio) for n in sizes])
         what = f"{name}, 1:{ratio:g}"
         report.below(f"{what}: not yet steady", unsteady.max(), 1e-8)
-        report.note(f"{what}: errors of the flux", flux - 1)
+        report.note(f"{what}: errors of the flux", listed(flux - 1))
         if name == "square":
             report.below(f"{what}: error of the flux at 20", abs(flux[1] - 1), 0.01)
         report.above(f"{what}: lowest order", order(flux - 1).min(), 0.95)

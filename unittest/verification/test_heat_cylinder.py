@@ -59,10 +59,10 @@ for plane in ("strain", "stress") if "all" in sys.argv else ("strain",):
     for name in ("hex", "square") if "all" in sys.argv else ("hex",):
         T, typical, largest, everywhere = zip(*[cylinder(n, plane, name) for n in sizes])
         what = f"plane {plane}, {name}"
-        report.note(f"{what}: temperature, {sizes}", np.array(T))
+        report.note(f"{what}: temperature, {sizes}", listed(T))
         report.note(f"{what}: stress away from the surfaces, rms and largest",
-                    f"{np.array(typical)} {np.array(largest)}")
-        report.note(f"{what}: stress everywhere, rms", np.array(everywhere))
+                    f"{listed(typical)}; {listed(largest)}")
+        report.note(f"{what}: stress everywhere, rms", listed(everywhere))
         report.note(f"{what}: orders, rms away and everywhere, largest away",
                     f"{order(typical)} {order(everywhere)} {order(largest)}")
         report.below(f"{what}: temperature at {sizes[-1]}", T[-1], 1e-3)

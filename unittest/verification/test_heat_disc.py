@@ -30,7 +30,7 @@ for case in CASES:
     for name in ("square", "hex"):
         errors = np.array([error(case, n, name) for n in sizes])
         slope = -np.polyfit(np.log(sizes), np.log(errors), 1)[0]
-        report.note(f"{case}, {name}: errors at {sizes}", errors)
+        report.note(f"{case}, {name}, {sizes}: errors", listed(errors))
         if case == "Dirichlet":
             report.above(f"{case}, {name}: order over the range", slope, 1.9)
         else:

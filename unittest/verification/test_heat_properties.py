@@ -72,7 +72,7 @@ def lumps(report):
                 f = lambda y: (np.log((y + 3) / (y - 3)) + 2 * np.arctan(y / 3)) / (4 * 27)
                 exact = bisect(lambda y: f(y) - f(5.0) - 2 * strength * time, 3 + 1e-9, 5.0) - 2.0
             errors.append(np.abs(T - exact).max())
-        report.note(f"{what}: errors with {steps} steps", errors)
+        report.note(f"{what}: errors with {steps} steps", listed(errors))
         # the film coefficient of radiation is that at the start of each step: first order in time
         report.below(f"{what}: error", errors[-1], 1e-3 if h else 5e-3)
         if not h:
@@ -93,7 +93,7 @@ def tables(report):
         T = scene.run_to(3.0, 60, columns="step f_b[1]")
         exact = np.sqrt(1 + 3 * cloud.X[:, 0]) - 1
         errors.append(max(rms(T - exact), abs(scene.done.thermo("f_b[1]")[-1] / cloud.box[1][1] - 1.5)))
-    report.note("conductivity from a table: errors", errors)
+    report.note("conductivity from a table: errors", listed(errors))
     report.below("conductivity from a table: error at 40", errors[1], 1e-3)
     report.above("conductivity from a table: order", order(errors)[0], 1.9)
 

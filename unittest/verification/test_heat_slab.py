@@ -44,17 +44,18 @@ for case, (*_, bar) in CASES.items():
         sizes = np.array((10, 20, 40, 80) if thorough else (10, 40, 80))
         errors, areas = np.transpose([solve(case, slab(n, name)) for n in sizes])
         orders = order(errors, sizes[1:] / sizes[:-1])
-        report.note(f"{case}, {name}: errors", errors)
+        report.note(f"{case}, {name}: errors", listed(errors))
         report.above(f"{case}, {name}: lowest order", orders.min(), 1.9)
         report.below(f"{case}, {name}: error at 80", errors[-1], bar)
         report.below(f"{case}, {name}: area of the surface/exact - 1", np.abs(areas - 1).max(), 1e-6)
     errors = [solve(case, slab(n, "sc"))[0] for n in (10, 20)]
-    report.note(f"{case}, sc in 3-D: errors", errors)
+    report.note(f"{case}, sc in 3-D: errors", listed(errors))
     report.above(f"{case}, sc in 3-D: order", order(errors)[0], 1.9)
 
     sizes = (10, 20, 40, 80) if thorough else (10, 40)
     clouds = [slab(n, "square", JITTER, width=n) for n in sizes]
     errors, areas = np.transpose([solve(case, c, " region body area {area}") for c in clouds])
+    report.note(f"{case}, jittered by {JITTER}: errors", listed(errors))
     report.note(f"{case}, jittered by {JITTER}: order over the range",
                 order(errors[[0, -1]], sizes[-1] / sizes[0])[0])
     for n, cloud, error in zip(sizes, clouds, errors):
