@@ -270,7 +270,6 @@ void FixTMSPHContact::keep_touches(const std::vector<ContactState<D>> &states,
   for (const Member &m : members) {
     Memory &memory = *m.memory;
     memory.pressed.clear();
-    memory.rubbed = 0.0;
     for (int n = m.first; n < m.last; n++) {
       const End &e = ends[n];
       const Pairing &p = pairings[e.pairing];
@@ -306,7 +305,10 @@ void FixTMSPHContact::rubbings(std::vector<Rubbing> &list)
   follow(false);
   list.clear();
   for (const Member &m : members)
-    if (m.memory->rubbed != 0.0) list.push_back({m.i, m.memory->rubbed});
+    if (m.memory->rubbed != 0.0) {
+      list.push_back({m.i, m.memory->rubbed});
+      m.memory->rubbed = 0.0;
+    }
 }
 
 /* ---------------------------------------------------------------------- */

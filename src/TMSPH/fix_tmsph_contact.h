@@ -124,7 +124,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
     std::vector<Anchor> anchors;                     // of the segments that it touches
     double apart = 0.0;    // from the other body's outline in the reference; 0: not within reach
     std::vector<Pressed> pressed;                    // ascending partners; only for heat
-    double rubbed = 0.0;                             // only for heat: work lost by friction
+    double rubbed = 0.0;                             // only for heat: work of friction not yet taken
   };
   /** Two particles, at least one of them local, computed once. */
   struct Pairing {

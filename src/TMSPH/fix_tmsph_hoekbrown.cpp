@@ -29,7 +29,7 @@ using TMSPH::Extremes;
 FixTMSPHHoekBrown::FixTMSPHHoekBrown(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), list(nullptr), debris(lmp),
     rocks(atom->ntypes + 1), all_principals(false), one_rock(true), armed(false), version(-1),
-    broken{0, 0}, broken_now(0)
+    broken{0, 0}, broken_now(0), relative(0.0)
 {
   scalar_flag = vector_flag = local_flag = 1;
   size_vector = 5;
@@ -272,60 +272,115 @@ bool FixTMSPHHoekBrown::may_fail(int i, const double *stress) const
    Both ends, on whatever processor, see the same numbers and decide alike.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touched)
+void FixTMSPHHoekBrown::find_due(const double *stress)
 {
-  follow_layout();
-  armed = false;
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost, size = pair->stress_size();
   const int *type = atom->type;
   const auto row = [&](int i) { return stress + (size_t) i * size; };
+  const bool ranked = relative > 0.0;    // all load factors are wanted
+  due_bonds.clear();
+  test = Test();
 
   beyond.resize(nall);
-  bool any = !one_rock;
+  bool any = ranked || !one_rock;
   for (int i = 0; i < nall; i++) {
-    beyond[i] = may_fail(i, row(i)) &&
-        TMSPH::fails(extremes_of(i, row(i)), strengths[i], rocks[type[i]].constants);
+    beyond[i] = ranked || (may_fail(i, row(i)) &&
+        TMSPH::fails(extremes_of(i, row(i)), strengths[i], rocks[type[i]].constants));
     any = any || beyond[i];
   }
   if (!any) return;
 
   for (int i = 0; i < nlocal; i++) {
-    bool lost = false;
     for (int k = 0; k < bonds->count(i); k++) {
       if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
       const int j = bonds->partner_index(i, k);
       const bool same = one_rock || rocks[type[i]].constants == rocks[type[j]].constants;
       if (same && !beyond[i] && !beyond[j]) continue;
 
-      double mean[6], zz = 0.0;
-      for (int c = 0; c < size; c++) mean[c] = 0.5 * (row(i)[c] + row(j)[c]);
+      Due bond = {i, k, 0.0, {}, {}};
+      double zz = 0.0;
+      for (int c = 0; c < size; c++) bond.stress[c] = 0.5 * (row(i)[c] + row(j)[c]);
       if (all_principals)
         zz = 0.5 * (pair->stress_zz(i, row(i)[0], row(i)[1]) +
                     pair->stress_zz(j, row(j)[0], row(j)[1]));
-      const Extremes e = extremes(mean, zz);
+      bond.extremes = extremes(bond.stress, zz);
       const double strength = 0.5 * (strengths[i] + strengths[j]);
       const TMSPH::HoekBrown rock = same
           ? rocks[type[i]].constants
           : TMSPH::mean(rocks[type[i]].constants, rocks[type[j]].constants);
-      if (!TMSPH::fails(e, strength, rock)) continue;
-
-      if (atom->tag[i] < atom->tag[j]) record(i, k, mean, e);
-      bonds->remove_bond(i, k, FixTMSPHBond::BROKEN);
-      if (list) debris.add(i, j, *bonds);
-      lost = true;
+      if (ranked) {
+        bond.load = TMSPH::load_factor(bond.extremes, strength, rock);
+        test.largest = std::max(test.largest, bond.load);
+      }
+      if (ranked ? bond.load >= 1.0 : TMSPH::fails(bond.extremes, strength, rock))
+        due_bonds.push_back(bond);
     }
-    if (lost) touched.push_back(i);
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::keep_most_loaded()
+{
+  double largest;
+  MPI_Allreduce(&test.largest, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+  const double least = relative * largest;
+  due_bonds.erase(std::remove_if(due_bonds.begin(), due_bonds.end(),
+                                 [least](const Due &bond) { return bond.load < least; }),
+                  due_bonds.end());
+  bigint ends = due_bonds.size(), all;
+  MPI_Allreduce(&ends, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  test = {largest, all / 2};
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touched)
+{
+  follow_layout();
+  armed = false;
+  find_due(stress);
+  if (relative > 0.0) keep_most_loaded();
+  relative = 0.0;
+  for (const Due &bond : due_bonds) {
+    const int i = bond.i, j = bonds->partner_index(i, bond.k);
+    if (atom->tag[i] < atom->tag[j]) record(bond);
+    bonds->remove_bond(i, bond.k, FixTMSPHBond::BROKEN);
+    if (list) debris.add(i, j, *bonds);
+    if (touched.empty() || touched.back() != i) touched.push_back(i);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::test_next(double fraction)
+{
+  armed = true;
+  relative = fraction;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHoekBrown::tensile_strength() const
+{
+  double smallest = HUGE_VAL;
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const Rock &rock = rocks[type];
+    const Extremes pull = {rock.strength, 0.0};
+    smallest = std::min(smallest, rock.strength /
+                                      TMSPH::load_factor(pull, rock.strength, rock.constants));
+  }
+  return smallest;
 }
 
 /* ----------------------------------------------------------------------
    one row of the local table; a bond is recorded where its lower id lives
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::record(int i, int k, const double *stress, const Extremes &e)
+void FixTMSPHHoekBrown::record(const Due &bond)
 {
-  const int j = bonds->partner_index(i, k);
-  const int mode = e.largest > 0.0 ? 0 : 1;    // tension where a principal stress pulls
+  const int i = bond.i, j = bonds->partner_index(i, bond.k);
+  const int mode = bond.extremes.largest > 0.0 ? 0 : 1;    // tension where a principal stress pulls
   broken[mode]++;
   broken_now++;
   double X[3];
@@ -341,7 +396,7 @@ void FixTMSPHHoekBrown::record(int i, int k, const double *stress, const Extreme
   for (int a = 0; a < 3; a++) *c++ = 0.5 * (atom->x[i][a] + atom->x[j][a]);
   for (int a = 0; a < 3; a++) *c++ = X[a] / R;
   *c++ = mode + 1;
-  *c++ = pair->bond_energy(i, k, stress);
+  *c++ = pair->bond_energy(i, bond.k, bond.stress);
   *c++ = 0.5 * (atom->temperature[i] + atom->temperature[j]);
   events.push_back(event);
   event_rows.clear();
@@ -444,5 +499,5 @@ void FixTMSPHHoekBrown::restart(char *buf)
 double FixTMSPHHoekBrown::memory_usage()
 {
   return strengths.capacity() * sizeof(double) + beyond.capacity() +
-      events.capacity() * (sizeof(Event) + sizeof(double *));
+      events.capacity() * (sizeof(Event) + sizeof(double *)) + due_bonds.capacity() * sizeof(Due);
 }

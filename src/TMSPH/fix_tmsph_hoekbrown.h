@@ -40,6 +40,20 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   void break_bonds(const double *, std::vector<int> &) override;
   double repel(double *) override;
 
+  /** What a test in equilibrium found, on all processors. */
+  struct Test {
+    double largest = 0.0;    // load factor of a bond
+    bigint broken = 0;
+  };
+  /// a step of the thermal clock begins
+  void begin_step() { broken_now = 0; }
+  /** Bonds are tested in the next force evaluation. Those break whose load factor is at least 1
+      and at least "fraction" of the largest. */
+  void test_next(double fraction);
+  const Test &last_test() const { return test; }
+  /// the smallest uniaxial tensile strength of a type, without scatter
+  double tensile_strength() const;
+
   /// uniaxial compressive strength of particle i, drawn for its id
   double strength(int i) const;
   /// load factor of a stress (xx yy zz xy xz yz) with particle i's strength
@@ -55,6 +69,12 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   struct Event {
     double column[13];
   };
+  /** A bond that fails, seen from one of its ends, with its stress. */
+  struct Due {
+    int i, k;
+    double load, stress[6];
+    TMSPH::Extremes extremes;
+  };
 
   PairTMSPH *pair;
   class FixTMSPHBond *bonds;
@@ -68,6 +88,9 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   std::vector<char> beyond;              // [nlocal+nghost] fails with its own stress and strength
   bigint broken[2];                      // in tension, in shear: events recorded here
   bigint broken_now;
+  double relative;                       // in equilibrium, of the largest load factor; else 0
+  Test test;
+  std::vector<Due> due_bonds;
   std::vector<Event> events;
   std::vector<double *> event_rows;
 
@@ -76,7 +99,9 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   TMSPH::Extremes extremes(const double *stress, double zz) const;
   TMSPH::Extremes extremes_of(int i, const double *stress) const;
   bool may_fail(int i, const double *stress) const;
-  void record(int i, int k, const double *stress, const TMSPH::Extremes &);
+  void find_due(const double *stress);
+  void keep_most_loaded();
+  void record(const Due &);
   double largest_load();
   bigint total(int mode);
 };

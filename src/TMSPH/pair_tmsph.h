@@ -65,7 +65,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
       double weight;     ///< V_i V_j w_ij as the contact took it
       double distance;   ///< of the two along the normal when the surfaces just touch
     };
-    /// friction took this energy at local particle i in the last step: half of that of its pairs
+    /// friction took this energy at local particle i since the last call: half of that of its pairs
     struct Rubbing {
       int i;
       double work;
@@ -134,6 +134,9 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   const double *step_gradient() const { return gradient.data(); }
   double thermal_strain(int i) const;
   bool expands() const { return on.thermal != TMSPH::ThermalStrain::NONE; }
+  /// power that viscosity took at local particles in the last force evaluation, to be called before
+  /// the next exchange; 0 without viscosity
+  void viscous_heat(std::vector<double> &power);
   unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
 

@@ -1,0 +1,317 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+------------------------------------------------------------------------- */
+
+#include "tmsph_quasistatic.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "finish.h"
+#include "fix_tmsph_bond.h"
+#include "fix_tmsph_hoekbrown.h"
+#include "force.h"
+#include "min_tmsph_lbfgs.h"
+#include "modify.h"
+#include "output.h"
+#include "pair_tmsph.h"
+#include "timer.h"
+#include "tmsph_heat_clock.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+static constexpr double JUMP = 0.98;           // of the way to the first break
+static constexpr double STRENGTH = 2.5e-4;     // of Young's modulus, where no strength is given
+static constexpr double UNIT_BALL[2] = {3.14159265358979324, 4.18879020478639098};
+
+/* ---------------------------------------------------------------------- */
+
+TMSPHQuasistatic::TMSPHQuasistatic(LAMMPS *lmp) :
+    Command(lmp), nsteps(0), change(2.0), residual{1.0e-4, 1.0e-3}, breaking(0.9), jump(true),
+    evaluations(20000), pair(nullptr), rock(nullptr), solver(nullptr), unit(0.0), load(-1.0),
+    load_before(-1.0), covered(0), count{0, 0, 0, 0, 0, 0, 0}
+{
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::parse(int narg, char **arg)
+{
+  if (narg < 1) utils::missing_cmd_args(FLERR, "tmsph/quasistatic", error);
+  nsteps = utils::inumeric(FLERR, arg[0], false, lmp);
+  if (nsteps < 0)
+    error->all(FLERR, "Number of time steps {} of tmsph/quasistatic must not be negative", arg[0]);
+  for (int iarg = 1; iarg < narg; iarg += 2) {
+    const std::string word = arg[iarg];
+    const auto number = [&](int n) { return utils::numeric(FLERR, arg[n], false, lmp); };
+    const auto reject = [&](const char *rule) {
+      error->all(FLERR, "Tmsph/quasistatic {} {} is out of range: {}", word, arg[iarg + 1], rule);
+    };
+    if (word != "change" && word != "residual" && word != "breaking" && word != "jump" &&
+        word != "evaluations")
+      error->all(FLERR,
+                 "Unknown keyword '{}' of tmsph/quasistatic: use change, residual, breaking, jump "
+                 "or evaluations",
+                 word);
+    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "tmsph/quasistatic " + word, error);
+    if (word == "change") {
+      change = number(iarg + 1);
+      if (!(change > 0.0)) reject("it is a positive temperature difference; 2 degrees is usual");
+    } else if (word == "residual") {
+      const bool two = iarg + 2 < narg && utils::is_double(arg[iarg + 2]);
+      residual[0] = residual[1] = number(iarg + 1);
+      if (two) residual[1] = number(iarg + 2);
+      if (!(residual[0] > 0.0) || !(residual[1] > 0.0))
+        reject("it must be positive; 1e-4 until the first break and 1e-3 after it is usual");
+      iarg += two;
+    } else if (word == "breaking") {
+      breaking = number(iarg + 1);
+      if (!(breaking > 0.0) || breaking > 1.0)
+        reject("it must lie above 0 and at most at 1; 0.9 is usual");
+    } else if (word == "jump") {
+      jump = utils::logical(FLERR, arg[iarg + 1], false, lmp);
+    } else {
+      evaluations = utils::bnumeric(FLERR, arg[iarg + 1], false, lmp);
+      if (evaluations < 1) reject("give the most force evaluations that one equilibrium may take");
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   what a fix does in a step of time and not in a minimization is missing here
+------------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::check_fixes()
+{
+  clocks.clear();
+  stops.clear();
+  for (const auto &fix : modify->get_fix_list()) {
+    if (auto clock = dynamic_cast<TMSPHHeatClock *>(fix)) clocks.push_back(clock);
+    const int mask = fix->setmask();
+    const bool ours = utils::strmatch(fix->style, "^tmsph/");
+    if ((mask & FixConst::END_OF_STEP) && !ours) stops.push_back(fix->nevery);
+    if (utils::strmatch(fix->style, "^move"))
+      error->all(FLERR,
+                 "Fix {} of style {} needs steps of time, and tmsph/quasistatic has none: hold the "
+                 "particles with fix setforce 0 0 0 and move them with displace_atoms between two "
+                 "tmsph/quasistatic", fix->id, fix->style);
+    if (fix->box_change)
+      error->all(FLERR, "Fix {} of style {} changes the box: tmsph/quasistatic cannot follow it",
+                 fix->id, fix->style);
+    if (!ours && !fix->time_integrate && (mask & FixConst::POST_FORCE) &&
+        !(mask & FixConst::MIN_POST_FORCE) && comm->me == 0)
+      error->warning(FLERR, "Fix {} of style {} does not act in tmsph/quasistatic", fix->id,
+                     fix->style);
+  }
+  rock = nullptr;
+  for (const auto &fix : modify->get_fix_by_style("^tmsph/hoekbrown$"))
+    rock = dynamic_cast<FixTMSPHHoekBrown *>(fix);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::command(int narg, char **arg)
+{
+  parse(narg, arg);
+  if (!domain->box_exist)
+    error->all(FLERR, "Command tmsph/quasistatic before the simulation box is defined");
+  pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
+  if (!pair) error->all(FLERR, "Command tmsph/quasistatic needs pair style tmsph");
+  if (timer->is_timeout()) return;
+  check_fixes();
+
+  // a solver of its own: that of the user keeps its settings
+
+  MinTMSPHLBFGS lbfgs(lmp);
+  solver = &lbfgs;
+  Min *users = update->minimize;
+  char style[] = "tmsph/lbfgs", *users_style = update->minimize_style;
+  update->minimize = &lbfgs;
+  update->minimize_style = style;
+  update->etol = update->ftol = 0.0;
+  update->max_eval = MAXSMALLINT;
+  update->whichflag = 2;
+  update->nsteps = nsteps;
+  update->beginstep = update->firststep = update->ntimestep;
+  update->endstep = update->laststep = update->firststep + nsteps;
+  if (update->laststep < 0) error->all(FLERR, "Too many time steps");
+
+  lmp->init();
+  timer->init_timeout();
+  lbfgs.setup();
+  timer->init();
+  timer->barrier_start();
+  prepare();
+  while (update->ntimestep < update->laststep) {
+    if (timer->check_timeout(count.steps)) break;
+    take_step(next_steps(update->laststep - update->ntimestep));
+  }
+  timer->barrier_stop();
+
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) atom->v[i][k] = 0.0;
+  lbfgs.cleanup();
+  update->update_time();
+  update->nsteps = count.steps;
+  update->whichflag = 1;    // statistics as of a run
+  Finish finish(lmp);
+  finish.end(1);
+  tell();
+
+  update->minimize = users;
+  update->minimize_style = users_style;
+  update->whichflag = 0;
+  update->firststep = update->laststep = 0;
+  update->beginstep = update->endstep = 0;
+}
+
+/* ----------------------------------------------------------------------
+   The residual is counted in the force that the smallest tensile strength puts on the section of a
+   particle, volume over spacing. The spacing is that of as many particles as the largest family
+   has, in the ball of the horizon.
+------------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::prepare()
+{
+  const int d = domain->dimension;
+  double strength = HUGE_VAL;
+  if (rock)
+    strength = rock->tensile_strength();
+  else
+    for (int type = 1; type <= atom->ntypes; type++)
+      strength = std::min(strength, STRENGTH * pair->material(type).young);
+  const int family = pair->bonds()->family_sizes().second + 1;
+  const double spacing = pair->horizon() * std::pow(UNIT_BALL[d - 2] / family, 1.0 / d);
+  double volume = 0.0, largest;
+  for (int i = 0; i < atom->nlocal; i++) volume = std::max(volume, atom->vfrac[i]);
+  MPI_Allreduce(&volume, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+  unit = strength * largest / spacing * std::sqrt((double) atom->natoms);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool TMSPHQuasistatic::any_broken() const
+{
+  return rock && rock->compute_scalar() > 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   steps to the next one on which something is written or averaged
+------------------------------------------------------------------------- */
+
+int TMSPHQuasistatic::next_stop(int most) const
+{
+  const bigint now = update->ntimestep;
+  bigint next = std::min(output->next, now + most);
+  for (int every : stops) next = std::min(next, (now / every + 1) * every);
+  return next - now;
+}
+
+/* ----------------------------------------------------------------------
+   Until the first break the load factor grows nearly in proportion to the heating, or to time: the
+   way to it is taken at once, or up to the next output. Of the two predictions the nearer one.
+------------------------------------------------------------------------- */
+
+int TMSPHQuasistatic::next_steps(int most)
+{
+  double allowed = change;
+  most = next_stop(most);
+  if (rock && load > 0.0 && load < 1.0 && !any_broken()) {
+    double hottest = 0.0, all;
+    for (int i = 0; i < atom->nlocal; i++) {
+      const double reference = pair->material(atom->type[i]).reference_temperature;
+      hottest = std::max(hottest, std::fabs(atom->temperature[i] - reference));
+    }
+    MPI_Allreduce(&hottest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+    const double heating = all * (1.0 / load - 1.0);
+    const bool near = JUMP * heating < change;
+    if (near)
+      allowed = std::min(change, heating);
+    else if (jump)
+      allowed = JUMP * heating;
+    if (jump && load_before >= 0.0 && load > load_before) {
+      const double steps = covered * (1.0 - load) / (load - load_before);
+      if (steps < most) most = std::max(1.0, near ? std::ceil(steps) : JUMP * steps);
+    }
+  }
+  for (auto clock : clocks) most = std::min(most, clock->reach(most, allowed));
+  for (auto clock : clocks) most = std::min(most, clock->advance(most, allowed));
+  return most;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::take_step(int steps)
+{
+  update->ntimestep += steps;
+  count.steps++;
+  if (rock) rock->begin_step();
+  load_before = load;
+  solver->update_forces();
+  bigint broken = 0;
+  while (true) {
+    find_equilibrium();
+    if (!rock) break;
+    rock->test_next(breaking);
+    solver->update_forces();
+    load = rock->last_test().largest;
+    if (rock->last_test().broken == 0) break;
+    broken += rock->last_test().broken;
+  }
+  covered = steps;
+  if (broken > 0 && count.broken == 0) count.first_step = update->ntimestep;
+  count.broken += broken;
+  if (broken > count.avalanche) {
+    count.avalanche = broken;
+    count.avalanche_step = update->ntimestep;
+  }
+  write_output();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::find_equilibrium()
+{
+  count.equilibria++;
+  if (solver->equilibrate(residual[any_broken()] * unit, evaluations)) return;
+  if (count.failures++ == 0 && comm->me == 0)
+    error->warning(FLERR, "Equilibrium on step {} was not found in {} force evaluations; the "
+                          "residual is {:.3g}", update->ntimestep, evaluations,
+                   solver->force_norm() / unit);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::write_output()
+{
+  const bigint now = update->ntimestep;
+  bool acts = false;
+  for (int every : stops) acts = acts || now % every == 0;
+  if (output->next != now && !acts) return;
+  solver->update_all();
+  if (acts) modify->end_of_step();
+  if (output->next != now) return;
+  timer->stamp();
+  output->write(now);
+  timer->stamp(Timer::OUTPUT);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::tell() const
+{
+  if (comm->me) return;
+  utils::logmesg(lmp, "Quasi-static: {} equilibria in {} steps, {} force evaluations\n",
+                 count.equilibria, count.steps, solver->evaluations());
+  if (count.failures)
+    utils::logmesg(lmp, "  {} equilibria were not found\n", count.failures);
+  if (count.broken)
+    utils::logmesg(lmp, "  {} bonds broke, the first on step {}, most, {}, on step {}\n",
+                   count.broken, count.first_step, count.avalanche, count.avalanche_step);
+}
