@@ -105,6 +105,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   /// only with a contact set
   const double *step_gradient() const { return gradient.data(); }
   double thermal_strain(int i) const;
+  /// between particles, from the size of the largest family
+  double spacing() const;
   unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
 
