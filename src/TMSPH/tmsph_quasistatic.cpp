@@ -99,7 +99,7 @@ void TMSPHQuasistatic::check_fixes()
     if (auto clock = dynamic_cast<TMSPHHeatClock *>(fix)) clocks.push_back(clock);
     const int mask = fix->setmask();
     const bool ours = utils::strmatch(fix->style, "^tmsph/");
-    if ((mask & FixConst::END_OF_STEP) && !ours) stops.push_back(fix->nevery);
+    if ((mask & FixConst::END_OF_STEP) && !ours) stops.push_back(fix);
     if (utils::strmatch(fix->style, "^move"))
       error->all(FLERR,
                  "Fix {} of style {} needs steps of time, and tmsph/quasistatic has none: hold the "
@@ -156,6 +156,11 @@ void TMSPHQuasistatic::command(int narg, char **arg)
   lmp->init();
   timer->init_timeout();
   lbfgs.setup();
+
+  // those that only average or write do so at the start of a run, but not of a minimization
+
+  for (auto fix : stops)
+    if (fix->setmask() == FixConst::END_OF_STEP) fix->setup(0);
   timer->init();
   timer->barrier_start();
   prepare();
@@ -217,7 +222,7 @@ int TMSPHQuasistatic::next_stop(int most) const
 {
   const bigint now = update->ntimestep;
   bigint next = std::min(output->next, now + most);
-  for (int every : stops) next = std::min(next, (now / every + 1) * every);
+  for (const auto fix : stops) next = std::min(next, (now / fix->nevery + 1) * fix->nevery);
   return next - now;
 }
 
@@ -353,7 +358,7 @@ void TMSPHQuasistatic::write_output()
 {
   const bigint now = update->ntimestep;
   bool acts = false;
-  for (int every : stops) acts = acts || now % every == 0;
+  for (const auto fix : stops) acts = acts || now % fix->nevery == 0;
   if (output->next != now && !acts) return;
   solver->update_all();
   if (acts) modify->end_of_step();

@@ -42,7 +42,7 @@ class TMSPHQuasistatic : public Command {
   class MinTMSPHLBFGS *solver;
   std::vector<TMSPHHeatClock *> clocks;
   std::vector<class FixTMSPHWall *> walls;
-  std::vector<int> stops;       // periods of fixes that act at the end of a step
+  std::vector<class Fix *> stops;    // that act at the end of a step
   double unit;                  // of the norm of all forces, for the residual
 
   // the way to the first break
