@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "lammps.h"
+#include "update.h"
 #include "version.h"
 
 #include "atom_vec_tmsph.h"
@@ -21,8 +22,10 @@
 #include "fix_tmsph_heat_boundary.h"
 #include "fix_tmsph_hoekbrown.h"
 #include "fix_tmsph_wall.h"
+#include "min_tmsph_lbfgs.h"
 #include "pair_tmsph.h"
 #include "tmsph_cut.h"
+#include "tmsph_quasistatic.h"
 
 using namespace LAMMPS_NS;
 
@@ -48,9 +51,14 @@ template <class T> Compute *create_compute(LAMMPS *lmp, int narg, char **arg)
   return new T(lmp, narg, arg);
 }
 
-Command *create_cut(LAMMPS *lmp)
+template <class T> Command *create_command(LAMMPS *lmp)
 {
-  return new TMSPHCut(lmp);
+  return new T(lmp);
+}
+
+Min *create_minimizer(LAMMPS *lmp)
+{
+  return new MinTMSPHLBFGS(lmp);
 }
 
 }    // namespace
@@ -70,9 +78,10 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
     register_plugin(&plugin, lmp);
   };
 
-  // the loader knows no atom styles: this one goes straight into LAMMPS's table
+  // the loader knows no atom and minimizer styles: these go straight into LAMMPS's tables
 
   (*static_cast<LAMMPS *>(lmp)->atom->avec_map)["tmsph"] = &create_atom_style;
+  (*static_cast<LAMMPS *>(lmp)->update->minimize_map)["tmsph/lbfgs"] = &create_minimizer;
 
   plugin.creator.v1 = (lammpsplugin_factory1 *) &create_pair;
   add("pair", "tmsph", "total-Lagrangian SPH with thermal bonds");
@@ -99,6 +108,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_compute<ComputeTMSPHDt>;
   add("compute", "tmsph/dt", "stable time step");
 
-  plugin.creator.v1 = (lammpsplugin_factory1 *) &create_cut;
+  plugin.creator.v1 = (lammpsplugin_factory1 *) &create_command<TMSPHCut>;
   add("command", "tmsph/cut", "pre-existing flaws");
+  plugin.creator.v1 = (lammpsplugin_factory1 *) &create_command<TMSPHQuasistatic>;
+  add("command", "tmsph/quasistatic", "equilibrium and breaking on the thermal clock");
 }

@@ -88,18 +88,25 @@ void FixTMSPHWall::evaluate_inputs()
    velocity of free directions is that of half a step before
 ------------------------------------------------------------------------- */
 
-void FixTMSPHWall::move()
+void FixTMSPHWall::move(double duration)
 {
   const RigidMotion before = motion;
   evaluate_inputs();
   for (int a = 0; a < 3; a++)
-    motion.shift[a] += update->dt * (is_free[a] ? motion.velocity[a]
-                                                : 0.5 * (before.velocity[a] + motion.velocity[a]));
-  motion.angle += update->dt * 0.5 * (before.spin + motion.spin);
+    motion.shift[a] += duration * (is_free[a] ? motion.velocity[a]
+                                              : 0.5 * (before.velocity[a] + motion.velocity[a]));
+  motion.angle += duration * 0.5 * (before.spin + motion.spin);
   const Point &v = before.velocity, &w = motion.velocity;
-  travel += update->dt * (std::sqrt(std::max(dot(v, v), dot(w, w))) +
+  travel += duration * (std::sqrt(std::max(dot(v, v), dot(w, w))) +
                           std::max(std::fabs(before.spin), std::fabs(motion.spin)) *
                               (farthest + travel));
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHWall::speed() const
+{
+  return std::sqrt(dot(motion.velocity, motion.velocity)) + std::fabs(motion.spin) * farthest;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -383,7 +390,7 @@ void FixTMSPHWall::warn_of_overlap() const
 
 void FixTMSPHWall::post_force(int)
 {
-  move();
+  move(update->dt);
   follow();
   act(update->dt);
 }

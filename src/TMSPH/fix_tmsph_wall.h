@@ -42,6 +42,12 @@ class FixTMSPHWall : public Fix {
   double memory_usage() override;
   int image(int *&, double **&) override;
 
+  /// moves a wall over a time to the present step, with its prescribed velocities
+  void move(double duration);
+  /// of the fastest particle near it, if that went along
+  double speed() const;
+  bool loaded() const { return mass > 0.0; }
+
   int pack_exchange(int, double *) override;
   int unpack_exchange(int, double *) override;
   void write_restart(FILE *) override;
@@ -118,7 +124,6 @@ class FixTMSPHWall : public Fix {
   Input number_or_variable(const char *) const;
   double evaluate(Input &);
   void evaluate_inputs();
-  void move();
   void list_candidates();
   void follow();
   double gap_of(int i) const;

@@ -13,7 +13,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
-#include "pair.h"
+#include "pair_tmsph.h"
 #include "timer.h"
 #include "tmsph_fixed_point.h"
 #include "update.h"
@@ -33,7 +33,7 @@ static constexpr double EPS_ENERGY = 1.0e-8;  // as in LAMMPS's minimizers
 /* ---------------------------------------------------------------------- */
 
 MinTMSPHLBFGS::MinTMSPHLBFGS(LAMMPS *lmp) :
-    Min(lmp), lbfgs(8), longest(0.0), with_energy(true), total_evaluations(0)
+    Min(lmp), lbfgs(8), preconditioner(lmp), longest(0.0), with_energy(true), total_evaluations(0)
 {
   searchflag = 1;
   dmax = 0.0;    // not given: a fraction of the spacing
@@ -70,6 +70,7 @@ void MinTMSPHLBFGS::init()
     }
     longest = all;
   }
+  preconditioner.init(dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0)));
   forget();
 }
 
@@ -134,11 +135,18 @@ double MinTMSPHLBFGS::force_norm()
 void MinTMSPHLBFGS::evaluate()
 {
   neval++;
-  total_evaluations++;
   if (with_energy)
-    ecurrent = energy_force(1);
+    update_all();
   else
     update_forces();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void MinTMSPHLBFGS::update_all()
+{
+  total_evaluations++;
+  ecurrent = energy_force(1);
 }
 
 /* ----------------------------------------------------------------------
@@ -150,9 +158,10 @@ void MinTMSPHLBFGS::update_forces()
   if (neighbor->decide() || !pair_compute_flag || force->kspace ||
       atom->molecular != Atom::ATOMIC) {
     neighbor->ago--;    // asked again there
-    energy_force(1);
+    update_all();
     return;
   }
+  total_evaluations++;
   timer->stamp();
   comm->forward_comm();
   timer->stamp(Timer::COMM);
@@ -202,7 +211,8 @@ int MinTMSPHLBFGS::step()
   while (true) {
     std::copy_n(fvec, nvec, d.at);
     d.bound = strongest;
-    lbfgs.direction(nvec, d, slot_step, slot_change, product, [](Vector &) {});
+    lbfgs.direction(nvec, d, slot_step, slot_change, product,
+                    [this](Vector &v) { preconditioner.apply(v); });
     d.bound = farthest = largest(d.at);
     slope = dot({fvec, strongest}, d);
     if (slope > 0.0 && std::isfinite(slope)) break;
@@ -238,7 +248,10 @@ int MinTMSPHLBFGS::step()
   }
   const double y_largest = largest(y);
   const double work = length * (slope - slope_there);
-  const double square = dot({y, y_largest}, {y, y_largest});
+  Vector scaled = {fix_vector(SCALED), y_largest};
+  std::copy_n(y, nvec, scaled.at);
+  preconditioner.apply(scaled);
+  const double square = dot({y, y_largest}, scaled);
   if (work > 0.0 && square > 0.0) lbfgs.take(length * farthest, y_largest, work, square);
   return 0;
 }

@@ -15,6 +15,7 @@ MinimizeStyle(tmsph/lbfgs,MinTMSPHLBFGS);
 
 #include "min.h"
 #include "tmsph_lbfgs.h"
+#include "tmsph_preconditioner.h"
 
 namespace LAMMPS_NS {
 
@@ -35,18 +36,19 @@ class MinTMSPHLBFGS : public Min {
   /// forces in the present positions, which may have been moved
   void update_forces();
   /// energies and virials too, if the present time step asks for them
-  void update_all() { energy_force(1); }
+  void update_all();
   /// what earlier iterations have learned does not hold any more
   void forget() { lbfgs.forget(); }
   /// Euclidean norm of all forces, the same on any number of processors
   double force_norm();
   bigint evaluations() const { return total_evaluations; }
-  /// a vector of three components for each local particle, kept zero or whatever it is set to
-  double *extra_vector() { return fix_vector(EXTRA); }
+  /// a vector of three components for each local particle that goes with it, n = 0 or 1
+  double *extra_vector(int n) { return fix_vector(EXTRA + n); }
 
  private:
-  enum { START, DIRECTION, FORMER, EXTRA, HISTORY };    // vectors of the particles
+  enum { START, DIRECTION, FORMER, SCALED, EXTRA, HISTORY = EXTRA + 2 };    // vectors of the particles
   TMSPH::LBFGS lbfgs;
+  TMSPHPreconditioner preconditioner;
   double longest;               // no particle moves farther in an iteration
   bool with_energy;
   bigint total_evaluations;

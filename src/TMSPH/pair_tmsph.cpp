@@ -274,6 +274,19 @@ double PairTMSPH::thermal_strain(int i) const
   return m.elastic.expansion * (atom->temperature[i] - m.reference_temperature);
 }
 
+/* ----------------------------------------------------------------------
+   so many particles share the ball of the horizon; the volumes of particles may contain
+   a thickness
+------------------------------------------------------------------------- */
+
+double PairTMSPH::spacing() const
+{
+  const double pi = std::acos(-1.0);
+  const int family = bond_fix->family_sizes().second + 1;
+  return cutoff * (domain->dimension == 2 ? std::sqrt(pi / family)
+                                          : std::cbrt(4.0 * pi / (3.0 * family)));
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PairTMSPH::viscous_heat(std::vector<double> &power)

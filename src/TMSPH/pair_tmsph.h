@@ -137,6 +137,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   /// power that viscosity took at local particles in the last force evaluation, to be called before
   /// the next exchange; 0 without viscosity
   void viscous_heat(std::vector<double> &power);
+  /// between particles, from the size of the largest family
+  double spacing() const;
   unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
 

@@ -11,6 +11,7 @@
 #include "finish.h"
 #include "fix_tmsph_bond.h"
 #include "fix_tmsph_hoekbrown.h"
+#include "fix_tmsph_wall.h"
 #include "force.h"
 #include "min_tmsph_lbfgs.h"
 #include "modify.h"
@@ -28,13 +29,12 @@ using namespace LAMMPS_NS;
 
 static constexpr double JUMP = 0.98;           // of the way to the first break
 static constexpr double STRENGTH = 2.5e-4;     // of Young's modulus, where no strength is given
-static constexpr double UNIT_BALL[2] = {3.14159265358979324, 4.18879020478639098};
 
 /* ---------------------------------------------------------------------- */
 
 TMSPHQuasistatic::TMSPHQuasistatic(LAMMPS *lmp) :
     Command(lmp), nsteps(0), change(2.0), residual{1.0e-4, 1.0e-3}, breaking(0.9), jump(true),
-    evaluations(20000), pair(nullptr), rock(nullptr), solver(nullptr), unit(0.0), load(-1.0),
+    stride(0.01), evaluations(20000), pair(nullptr), rock(nullptr), solver(nullptr), unit(0.0), load(-1.0),
     load_before(-1.0), covered(0), count{0, 0, 0, 0, 0, 0, 0}
 {
 }
@@ -51,13 +51,14 @@ void TMSPHQuasistatic::parse(int narg, char **arg)
     const std::string word = arg[iarg];
     const auto number = [&](int n) { return utils::numeric(FLERR, arg[n], false, lmp); };
     const auto reject = [&](const char *rule) {
-      error->all(FLERR, "Tmsph/quasistatic {} {} is out of range: {}", word, arg[iarg + 1], rule);
+      error->all(FLERR, "The value of tmsph/quasistatic {} {} is out of range: {}", word,
+                 arg[iarg + 1], rule);
     };
     if (word != "change" && word != "residual" && word != "breaking" && word != "jump" &&
-        word != "evaluations")
+        word != "stride" && word != "evaluations")
       error->all(FLERR,
-                 "Unknown keyword '{}' of tmsph/quasistatic: use change, residual, breaking, jump "
-                 "or evaluations",
+                 "Unknown keyword '{}' of tmsph/quasistatic: use change, residual, breaking, jump, "
+                 "stride or evaluations",
                  word);
     if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "tmsph/quasistatic " + word, error);
     if (word == "change") {
@@ -68,12 +69,15 @@ void TMSPHQuasistatic::parse(int narg, char **arg)
       residual[0] = residual[1] = number(iarg + 1);
       if (two) residual[1] = number(iarg + 2);
       if (!(residual[0] > 0.0) || !(residual[1] > 0.0))
-        reject("it must be positive; 1e-4 until the first break and 1e-3 after it is usual");
+        reject("it must be positive; 1e-4, and 1e-3 while bonds break, is usual");
       iarg += two;
     } else if (word == "breaking") {
       breaking = number(iarg + 1);
       if (!(breaking > 0.0) || breaking > 1.0)
         reject("it must lie above 0 and at most at 1; 0.9 is usual");
+    } else if (word == "stride") {
+      stride = number(iarg + 1);
+      if (!(stride > 0.0)) reject("a wall must be allowed to move; 0.01 spacings is usual");
     } else if (word == "jump") {
       jump = utils::logical(FLERR, arg[iarg + 1], false, lmp);
     } else {
@@ -90,17 +94,25 @@ void TMSPHQuasistatic::parse(int narg, char **arg)
 void TMSPHQuasistatic::check_fixes()
 {
   clocks.clear();
+  walls.clear();
   stops.clear();
   for (const auto &fix : modify->get_fix_list()) {
     if (auto clock = dynamic_cast<TMSPHHeatClock *>(fix)) clocks.push_back(clock);
     const int mask = fix->setmask();
     const bool ours = utils::strmatch(fix->style, "^tmsph/");
-    if ((mask & FixConst::END_OF_STEP) && !ours) stops.push_back(fix->nevery);
+    if ((mask & FixConst::END_OF_STEP) && !ours) stops.push_back(fix);
     if (utils::strmatch(fix->style, "^move"))
       error->all(FLERR,
                  "Fix {} of style {} needs steps of time, and tmsph/quasistatic has none: hold the "
                  "particles with fix setforce 0 0 0 and move them with displace_atoms between two "
                  "tmsph/quasistatic", fix->id, fix->style);
+    if (auto wall = dynamic_cast<FixTMSPHWall *>(fix)) {
+      if (wall->loaded())
+        error->all(FLERR,
+                   "Fix tmsph/wall {} moves under a load, and tmsph/quasistatic has no law of "
+                   "motion for it: prescribe its velocity, or use run", fix->id);
+      walls.push_back(wall);
+    }
     if (fix->box_change)
       error->all(FLERR, "Fix {} of style {} changes the box: tmsph/quasistatic cannot follow it",
                  fix->id, fix->style);
@@ -145,6 +157,11 @@ void TMSPHQuasistatic::command(int narg, char **arg)
   lmp->init();
   timer->init_timeout();
   lbfgs.setup();
+
+  // those that only average or write do so at the start of a run, but not of a minimization
+
+  for (auto fix : stops)
+    if (fix->setmask() == FixConst::END_OF_STEP) fix->setup(0);
   timer->init();
   timer->barrier_start();
   prepare();
@@ -179,19 +196,16 @@ void TMSPHQuasistatic::command(int narg, char **arg)
 
 void TMSPHQuasistatic::prepare()
 {
-  const int d = domain->dimension;
   double strength = HUGE_VAL;
   if (rock)
     strength = rock->tensile_strength();
   else
     for (int type = 1; type <= atom->ntypes; type++)
       strength = std::min(strength, STRENGTH * pair->material(type).young);
-  const int family = pair->bonds()->family_sizes().second + 1;
-  const double spacing = pair->horizon() * std::pow(UNIT_BALL[d - 2] / family, 1.0 / d);
   double volume = 0.0, largest;
   for (int i = 0; i < atom->nlocal; i++) volume = std::max(volume, atom->vfrac[i]);
   MPI_Allreduce(&volume, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
-  unit = strength * largest / spacing * std::sqrt((double) atom->natoms);
+  unit = strength * largest / pair->spacing() * std::sqrt((double) atom->natoms);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -209,7 +223,7 @@ int TMSPHQuasistatic::next_stop(int most) const
 {
   const bigint now = update->ntimestep;
   bigint next = std::min(output->next, now + most);
-  for (int every : stops) next = std::min(next, (now / every + 1) * every);
+  for (const auto fix : stops) next = std::min(next, (now / fix->nevery + 1) * fix->nevery);
   return next - now;
 }
 
@@ -240,29 +254,45 @@ int TMSPHQuasistatic::next_steps(int most)
       if (steps < most) most = std::max(1.0, near ? std::ceil(steps) : JUMP * steps);
     }
   }
+  for (const auto wall : walls) {
+    const double steps = stride * pair->spacing() / (wall->speed() * update->dt);
+    if (steps < most) most = std::max(1.0, steps);
+  }
   for (auto clock : clocks) most = std::min(most, clock->reach(most, allowed));
   for (auto clock : clocks) most = std::min(most, clock->advance(most, allowed));
   return most;
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   While bonds break, equilibrium need not be tight: bonds that fail too early are few, since loads
+   that have not arrived yet break nothing. Before the clock goes on it must be.
+------------------------------------------------------------------------- */
 
 void TMSPHQuasistatic::take_step(int steps)
 {
   update->ntimestep += steps;
   count.steps++;
   if (rock) rock->begin_step();
+  for (auto wall : walls) wall->move(steps * update->dt);
+  const bigint next_restart = output->next_restart;
+  output->next_restart = MAXBIGINT;    // or particles would change hands in each force evaluation
   load_before = load;
+  extrapolate(steps);
   solver->update_forces();
   bigint broken = 0;
+  bool first = true, tight = !rock || !any_broken();
   while (true) {
-    find_equilibrium();
+    find_equilibrium(residual[!tight]);
+    if (first) note_rate(steps);
+    first = false;
     if (!rock) break;
     rock->test_next(breaking);
     solver->update_forces();
     load = rock->last_test().largest;
-    if (rock->last_test().broken == 0) break;
     broken += rock->last_test().broken;
+    const bool due = rock->last_test().broken > 0;
+    if (tight && !due) break;
+    tight = !due;
   }
   covered = steps;
   if (broken > 0 && count.broken == 0) count.first_step = update->ntimestep;
@@ -271,15 +301,57 @@ void TMSPHQuasistatic::take_step(int steps)
     count.avalanche = broken;
     count.avalanche_step = update->ntimestep;
   }
+  output->next_restart = next_restart;
   write_output();
+}
+
+/* ----------------------------------------------------------------------
+   whatever a restart file does not have
+------------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::start_afresh()
+{
+  solver->forget();
+  std::fill_n(solver->extra_vector(RATE), 3 * (size_t) atom->nlocal, 0.0);
+  load = load_before = -1.0;
+  covered = 0;
+}
+
+/* ----------------------------------------------------------------------
+   The start of the search for equilibrium: displacements grow as in the last step before its first
+   bond broke. Displacements, not positions: these jump where a particle crosses the box.
+------------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::extrapolate(int steps)
+{
+  double *before = solver->extra_vector(BEFORE);
+  const double *rate = solver->extra_vector(RATE);
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) {
+      before[3 * i + k] = atom->x[i][k] - pair->bonds()->reference(i)[k];
+      atom->x[i][k] += steps * rate[3 * i + k];
+    }
 }
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHQuasistatic::find_equilibrium()
+void TMSPHQuasistatic::note_rate(int steps)
+{
+  const double *before = solver->extra_vector(BEFORE);
+  double *rate = solver->extra_vector(RATE);
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) {
+      const double now = atom->x[i][k] - pair->bonds()->reference(i)[k];
+      rate[3 * i + k] = (now - before[3 * i + k]) / steps;
+    }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::find_equilibrium(double rms)
 {
   count.equilibria++;
-  if (solver->equilibrate(residual[any_broken()] * unit, evaluations)) return;
+  if (solver->equilibrate(rms * unit, evaluations)) return;
   if (count.failures++ == 0 && comm->me == 0)
     error->warning(FLERR, "Equilibrium on step {} was not found in {} force evaluations; the "
                           "residual is {:.3g}", update->ntimestep, evaluations,
@@ -292,11 +364,12 @@ void TMSPHQuasistatic::write_output()
 {
   const bigint now = update->ntimestep;
   bool acts = false;
-  for (int every : stops) acts = acts || now % every == 0;
+  for (const auto fix : stops) acts = acts || now % fix->nevery == 0;
   if (output->next != now && !acts) return;
   solver->update_all();
   if (acts) modify->end_of_step();
   if (output->next != now) return;
+  if (output->next_restart == now) start_afresh();
   timer->stamp();
   output->write(now);
   timer->stamp(Timer::OUTPUT);
