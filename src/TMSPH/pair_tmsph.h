@@ -16,6 +16,7 @@ PairStyle(tmsph,PairTMSPH);
 
 #include "fix_tmsph_bond.h"
 #include "pair.h"
+#include "tmsph_dilatation.h"
 #include "tmsph_elastic.h"
 
 #include <string>
@@ -130,6 +131,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   TMSPH::ThermalStrain thermal_mode;    // as asked for; "on" has what the scene needs
   TMSPH::Viscosity viscosity;
   double hourglass;
+  TMSPH::Dilatation dilatation;
   std::vector<Material> materials;                // by type
   std::vector<std::vector<char>> are_bonded;      // by type and type
   FixTMSPHBond *bond_fix;
@@ -151,8 +153,19 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   std::vector<double> rows;                       // virials or energies of particles, on demand
   TMSPH::Slices own_side;                         // particles with bonds to other materials
   std::vector<int> own_side_lane;                 // [nlocal] lane in own_side, or -1
+  std::vector<char> one_sided;                    // [lane] the fit there is over the own bonds only
   std::vector<int> touched;
-  enum { FORCE_ROWS, STRESS, DISPLACEMENT } what_to_send;
+
+  // averaged dilatation
+  bool averaging;                                 // some material averages
+  bool averaging_at_interfaces;                   // and is bonded to another
+  std::vector<double> exchanged;                  // [nlocal+nghost] dilatations, then lambda times means
+  std::vector<double> mean_dilatation, pressure;  // [nlocal]
+  std::vector<double> side_gradient;              // [nlocal] F - I of own bonds, at interfaces only
+  std::vector<double> across_row;                 // [nlocal+nghost] like force_row
+  TMSPH::Slices across;                           // as own_side, bonds to others, weights negative
+
+  enum { FORCE_ROWS, STRESS, DISPLACEMENT, AVERAGE, ACROSS } what_to_send;
 
   void allocate();
   void complete_particles();
@@ -168,6 +181,16 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   template <int D> void test_bonds();
   template <int D> void own_side_stress(bool inverted_breaks);
   template <int D> void add_couples();
+  bool averaged(int type) const;
+  void init_dilatation();
+  void lay_out_averaging();
+  template <int D> void find_pressures();
+  template <int D> void add_pressures();
+  template <int D> const double *volume_gradient(int i) const;
+  template <int D> void add_pressure_to_stress(int i, const double *H);
+  double dilatation_energy(int i) const;
+  template <int D>
+  void bond_forces(const TMSPH::Viscosity &, double *f, int stride);
   void stop_inverted(int);
   void stop_thermal();
   template <int D> double stable_timestep_in();

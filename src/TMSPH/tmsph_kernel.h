@@ -56,5 +56,36 @@ inline double kernel_slope(Kernel kernel, int dimension, double R, double delta)
   return sigma * slope / (length * h * R);
 }
 
+/** The kernel W(R) itself, in 1/length^dimension; from the same sources.
+
+    @param R 0 <= R */
+inline double kernel_value(Kernel kernel, int dimension, double R, double delta)
+{
+  constexpr double PI = 3.14159265358979323846;
+  if (R >= delta) return 0.0;
+  const double h = delta / support_in_smoothing_lengths(kernel), q = R / h;
+  const double length = dimension == 2 ? h * h : h * h * h;
+  const auto power = [](double x, int n) {
+    double p = 1.0;
+    for (; n > 0 && x > 0.0; n--) p *= x;
+    return x > 0.0 ? p : 0.0;
+  };
+  switch (kernel) {
+    case Kernel::WENDLAND: {
+      const double sigma = dimension == 2 ? 7.0 / (4.0 * PI) : 21.0 / (16.0 * PI);
+      return sigma * power(1.0 - 0.5 * q, 4) * (1.0 + 2.0 * q) / length;
+    }
+    case Kernel::CUBIC: {
+      const double sigma = dimension == 2 ? 10.0 / (7.0 * PI) : 1.0 / PI;
+      return sigma * 0.25 * (power(2.0 - q, 3) - 4.0 * power(1.0 - q, 3)) / length;
+    }
+    default: {
+      const double sigma = dimension == 2 ? 7.0 / (478.0 * PI) : 1.0 / (120.0 * PI);
+      return sigma * (power(3.0 - q, 5) - 6.0 * power(2.0 - q, 5) + 15.0 * power(1.0 - q, 5)) /
+          length;
+    }
+  }
+}
+
 }    // namespace TMSPH
 #endif

@@ -79,6 +79,7 @@ struct Slices {
   std::vector<int> partner;      ///< [row][8] local or ghost index
   std::vector<float> weight;     ///< [row][8] W_ij; rounded to float once, the same for both ends
   std::vector<double> own;       ///< [slice][CONSTANTS][8]
+  std::vector<float> averaging;  ///< [row][8] M_ij of tmsph_dilatation.h; empty: none
   /// [row][D][8] g_ij of another fit than the above, H_i = sum_j u'_ij g_ij^T; empty: none
   std::vector<double> fit;
 
@@ -88,7 +89,7 @@ struct Slices {
   size_t bytes() const
   {
     return (particle.capacity() + valid.capacity() + offset.capacity() + partner.capacity()) *
-        sizeof(int) + weight.capacity() * sizeof(float) +
+        sizeof(int) + (weight.capacity() + averaging.capacity()) * sizeof(float) +
         (own.capacity() + fit.capacity()) * sizeof(double);
   }
 };
@@ -107,6 +108,8 @@ struct GradientOutput {
   int *inverted = nullptr;        ///< set to a particle with det F <= 0 or NaN, if there is one
   /// where bonds may break det F <= 0 is no error: the stress becomes UNBEARABLE in tension instead
   bool inverted_breaks = false;
+  /// the linear fit, even if the slices have another
+  bool linear = false;
 };
 
 template <int D>

@@ -1,0 +1,199 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Averaged dilatation of nearly incompressible materials in pair style tmsph:
+   tmsph_dilatation.h has the equations.
+
+   At an interface the dilatation that counts is that of the own side, from a
+   linear fit over the bonds to the own material: the strain of a fit across the
+   interface is a mean of both sides, and lambda times its error would be many
+   times the stress. Its forces act along the same bonds only. They are put into
+   the force rows with all others, and taken away again from the bonds across.
+------------------------------------------------------------------------- */
+
+#include "pair_tmsph.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_tmsph_bond.h"
+#include "tmsph_dilatation.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+// above these Poisson's ratios pressures are noisy (lambda times the errors of the dilatation),
+// without the averaging and with it
+
+static constexpr double MAX_PLAIN = 0.45, MAX_AVERAGED = 0.4999;
+
+/* ----------------------------------------------------------------------
+   plane stress needs no averaging: its lambda stays finite. The Almansi law has
+   no energy to derive it from.
+------------------------------------------------------------------------- */
+
+bool PairTMSPH::averaged(int type) const
+{
+  if (dilatation == Dilatation::PLAIN || on.law != Law::SVK || plane == Plane::STRESS) return false;
+  return dilatation == Dilatation::AVERAGED || materials[type].poisson > AVERAGED_ABOVE;
+}
+
+/* ----------------------------------------------------------------------
+   who averages, the same on all processors; and is that enough
+------------------------------------------------------------------------- */
+
+void PairTMSPH::init_dilatation()
+{
+  averaging = averaging_at_interfaces = false;
+  const int n = atom->ntypes;
+  for (int i = 1; i <= n; i++) {
+    const double nu = materials[i].poisson;
+    if (nu > (averaged(i) ? MAX_AVERAGED : MAX_PLAIN) && plane == Plane::STRAIN)
+      error->all(FLERR, "Poisson's ratio {} of type {} is above {}: {}", nu, i,
+                 averaged(i) ? MAX_AVERAGED : MAX_PLAIN,
+                 averaged(i)           ? "use that at most, the difference is of no consequence"
+                     : on.law == Law::SVK ? "the pressure needs pair_style tmsph ... dilatation auto"
+                                          : "the pressure needs averaging, which law svk has");
+    if (!averaged(i)) continue;
+    averaging = true;
+    for (int j = 1; j <= n; j++)
+      averaging_at_interfaces = averaging_at_interfaces || (j != i && are_bonded[i][j]);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   M_ij of all bonds to the own material, rounded once and alike at both ends
+------------------------------------------------------------------------- */
+
+void PairTMSPH::lay_out_averaging()
+{
+  Slices &all = slices();
+  if (!averaging) {
+    std::vector<float>().swap(all.averaging);
+    return;
+  }
+  const int dimension = domain->dimension;
+  const double kappa = bond_fix->interior_kappa();
+  all.averaging.assign(all.weight.size(), 0.0f);
+  for (int q = 0; q < all.count(); q++)
+    for (int l = 0; l < all.valid[q]; l++) {
+      const int i = all.particle[q * WIDTH + l];
+      if (!averaged(atom->type[i])) continue;
+      for (int k = 0; k < bond_fix->count(i); k++) {
+        const size_t at = all.at(q, l, k);
+        const int j = all.partner[at];
+        if (all.weight[at] == 0.0f || atom->type[j] != atom->type[i]) continue;
+        double X[3];
+        bond_fix->reference_vector(i, j, X);
+        const double R =
+            std::sqrt(X[0] * X[0] + X[1] * X[1] + (dimension == 3 ? X[2] * X[2] : 0.0));
+        all.averaging[at] = (float) (atom->vfrac[i] * atom->vfrac[j] / kappa *
+                                     kernel_value(kernel, dimension, R, cutoff));
+      }
+    }
+}
+
+/* ----------------------------------------------------------------------
+   from the gradients of the present force evaluation: mean dilatations and
+   pressures (positive in tension) of the local particles
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::find_pressures()
+{
+  const int nlocal = atom->nlocal;
+  const size_t nall = nlocal + atom->nghost;
+  exchanged.resize(nall);
+  mean_dilatation.resize(nlocal);
+  pressure.resize(nlocal);
+  if (averaging_at_interfaces) {
+    side_gradient.resize((size_t) D * D * nlocal);
+    GradientOutput out;
+    out.gradient = side_gradient.data();
+    out.linear = true;
+    gradient_sweep<D>(on, own_side, 0, own_side.count(), kinematic.data(), out);
+  }
+  for (int i = 0; i < nlocal; i++) {
+    exchanged[i] = 0.0;
+    const int type = atom->type[i];
+    // without a shape matrix there is no strain, and a thermal one would be spurious
+    const double *own = slices().own.data() +
+        (size_t) (i / WIDTH) * CONSTANTS<D> * WIDTH + i % WIDTH;
+    if (!averaged(type) || *own == 0.0) continue;
+    exchanged[i] = trace_of_strain<D>(volume_gradient<D>(i));
+    if (on.thermal == ThermalStrain::CONSTITUTIVE) exchanged[i] -= D * thermal_strain(i);
+  }
+  send(AVERAGE);
+  average_sweep<D>(slices(), exchanged.data(), mean_dilatation.data());
+  for (int i = 0; i < nlocal; i++)    // 0 for materials that do not average
+    exchanged[i] = materials[atom->type[i]].elastic.lambda * mean_dilatation[i];
+  send(AVERAGE);
+  average_sweep<D>(slices(), exchanged.data(), pressure.data());
+}
+
+/* ----------------------------------------------------------------------
+   F - I that the dilatation of local particle i comes from
+------------------------------------------------------------------------- */
+
+template <int D> const double *PairTMSPH::volume_gradient(int i) const
+{
+  const bool side = averaging_at_interfaces && own_side_lane[i] >= 0;
+  return (side ? side_gradient : gradient).data() + (size_t) D * D * i;
+}
+
+/* ----------------------------------------------------------------------
+   the pressures enter the force rows; what they put into bonds across an
+   interface stands in rows of its own as well, to be taken away again
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::add_pressures()
+{
+  using R = Rows<D>;
+  const auto add = [this](int i, const Slices &bonds, int lane, double *rows) {
+    const double *own = bonds.own.data() +
+        (size_t) (lane / WIDTH) * CONSTANTS<D> * WIDTH + lane % WIDTH;
+    add_pressure<D>(pressure[i], volume_gradient<D>(i), own, rows + (size_t) i * R::FORCE);
+  };
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!averaging_at_interfaces || own_side_lane[i] < 0) add(i, slices(), i, force_row.data());
+  if (!averaging_at_interfaces) return;
+  across_row.assign((size_t) (atom->nlocal + atom->nghost) * R::FORCE, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int lane = own_side_lane[i];
+    if (lane < 0) continue;
+    add(i, own_side, lane, force_row.data());
+    if (one_sided[lane]) add(i, own_side, lane, across_row.data());
+  }
+  send(ACROSS);
+}
+
+/* ----------------------------------------------------------------------
+   share of the pressures in the stress of local particle i, whose reported
+   stress belongs to the gradient H
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::add_pressure_to_stress(int i, const double *H)
+{
+  const double stretch = on.thermal == ThermalStrain::BOND ? 1.0 + thermal_strain(i) : 1.0;
+  add_pressure_stress<D>(pressure[i], H, stretch, stress.data() + (size_t) STRESS_ROW<D> * i);
+}
+
+/* ----------------------------------------------------------------------
+   lambda/2 thetabar^2 of local particle i, times its volume
+------------------------------------------------------------------------- */
+
+double PairTMSPH::dilatation_energy(int i) const
+{
+  const double mean = mean_dilatation[i];
+  return 0.5 * atom->vfrac[i] * materials[atom->type[i]].elastic.lambda * mean * mean;
+}
+
+// for pair_tmsph.cpp and the others
+
+template void PairTMSPH::find_pressures<2>();
+template void PairTMSPH::find_pressures<3>();
+template void PairTMSPH::add_pressures<2>();
+template void PairTMSPH::add_pressures<3>();
+template void PairTMSPH::add_pressure_to_stress<2>(int, const double *);
+template void PairTMSPH::add_pressure_to_stress<3>(int, const double *);
