@@ -25,16 +25,6 @@ using namespace TMSPH;
 
 static constexpr double SINGULAR = 0.02;
 
-/* ----------------------------------------------------------------------
-   what the force sweep needs for the rows of pressures at interfaces
-------------------------------------------------------------------------- */
-
-static Features stress_only(Features on)
-{
-  on.hourglass = on.viscosity = false;
-  return on;
-}
-
 /* ---------------------------------------------------------------------- */
 
 void PairTMSPH::compute(int eflag, int vflag)
@@ -75,7 +65,7 @@ template <int D> void PairTMSPH::evaluate()
   if (inverted >= 0) stop_inverted(inverted);
   if (averaging) find_pressures<D>();
   if (testing) test_bonds<D>();
-  if (averaging) add_pressures<D>();
+  if (averaging) complete_rows<D>();
   if (contact) add_couples<D>();
   send(FORCE_ROWS);
 
@@ -85,9 +75,7 @@ template <int D> void PairTMSPH::evaluate()
     double *const each = vflag_atom ? rows.data() : nullptr;
     double *const total = vflag_global ? virial : nullptr;
     virial_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), each, total);
-    if (averaging_at_interfaces)
-      virial_sweep<D>(stress_only(on), across, viscosity, kinematic.data(), across_row.data(), each,
-                      total);
+    if (coupling) add_coupling_virial<D>(each, total);
     if (vflag_atom)
       for (int i = 0; i < nlocal; i++)
         for (int k = 0; k < 6; k++) vatom[i][k] += rows[6 * (size_t) i + k];
@@ -105,10 +93,24 @@ template <int D> void PairTMSPH::evaluate()
       energy += dilatation_energy(i);
       if (eflag_atom) rows[i] += dilatation_energy(i);
     }
+    for (const auto &one : crossing) {
+      energy += one.energy;
+      if (eflag_atom) rows[one.i] += one.energy;
+    }
     if (eflag_global) eng_vdwl += energy;
     if (eflag_atom)
       for (int i = 0; i < nlocal; i++) eatom[i] += rows[i];
   }
+}
+
+/* ----------------------------------------------------------------------
+   what averaging adds to the force rows
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::complete_rows()
+{
+  add_pressures<D>();
+  if (coupling) couple_materials<D>();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -116,9 +118,8 @@ template <int D> void PairTMSPH::evaluate()
 template <int D> void PairTMSPH::bond_forces(const Viscosity &viscous, double *f, int stride)
 {
   force_sweep<D>(on, slices(), viscous, kinematic.data(), force_row.data(), f, stride);
-  if (averaging_at_interfaces)
-    force_sweep<D>(stress_only(on), across, viscous, kinematic.data(), across_row.data(), f,
-                   stride);
+  for (const auto &one : crossing)
+    for (int k = 0; k < D; k++) f[(size_t) stride * one.i + k] += one.force[k];
 }
 
 /* ----------------------------------------------------------------------
@@ -141,6 +142,7 @@ template <int D> void PairTMSPH::prepare()
     end[R::SPEED] = std::sqrt(m.elastic.wave_modulus / density);
     end[R::DENSITY] = density;
   }
+  lay_out_coupling<D>();
   build_own_side<D>();
   Slices &all = slices();
   all.own.resize((size_t) all.count() * CONSTANTS<D> * WIDTH);
@@ -266,6 +268,8 @@ template <int D> void PairTMSPH::test_bonds()
     if (q != last_slice) gradient_sweep<D>(on, slices(), q, q + 1, kinematic.data(), out);
     last_slice = q;
   }
+  for (auto &one : crossing)
+    if (std::binary_search(touched.begin(), touched.end(), one.i)) update_crossing<D>(one);
   if (averaging) find_pressures<D>();
 }
 
@@ -276,14 +280,10 @@ template <int D> void PairTMSPH::test_bonds()
 
 template <int D> void PairTMSPH::add_couples()
 {
-  const Slices &all = slices();
   for (const Contact::Couple &couple : contact->couples()) {
     const int i = couple.i;
-    const double *own =
-        all.own.data() + (size_t) (i / WIDTH) * CONSTANTS<D> * WIDTH + i % WIDTH;
-    Matrix<D, double> inverse, skew, H;
-    for (int a = 0, entry = 0; a < D; a++)
-      for (int b = a; b < D; b++) inverse[a][b] = inverse[b][a] = own[WIDTH * entry++];
+    const Matrix<D, double> inverse = shape_inverse<D>(own_constants<D>(i));
+    Matrix<D, double> skew, H;
     const double *c = couple.axial;
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) {
@@ -384,7 +384,7 @@ int PairTMSPH::doubles_per_ghost() const
 {
   const int d = domain->dimension;
   const int rows = d == 2 ? Rows<2>::communicated(on) : Rows<3>::communicated(on);
-  return rows + 2 * averaging + d * d * averaging_at_interfaces;
+  return rows + 2 * averaging + (d * d + 1) * coupling;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -407,7 +407,7 @@ void PairTMSPH::send(decltype(FORCE_ROWS) what)
       comm_forward = 1;
       break;
     default:
-      comm_forward = d * d;
+      comm_forward = d * d + 1;
   }
   comm->forward_comm(this);
 }
@@ -424,8 +424,8 @@ std::pair<double *, int> PairTMSPH::rows_to_send()
       return {stress.data(), stress_size()};
     case AVERAGE:
       return {exchanged.data(), 1};
-    case ACROSS:
-      return {across_row.data(), two ? Rows<2>::FORCE : Rows<3>::FORCE};
+    case COUPLING:
+      return {coupling_row.data(), comm_forward};
     default:
       return {kinematic.data() + (two ? Rows<2>::U : Rows<3>::U),
               two ? Rows<2>::KINEMATIC : Rows<3>::KINEMATIC};
@@ -465,13 +465,15 @@ double PairTMSPH::memory_usage()
 {
   const size_t doubles = kinematic.capacity() + force_row.capacity() + stress.capacity() +
       gradient.capacity() + rows.capacity() + exchanged.capacity() + mean_dilatation.capacity() +
-      pressure.capacity() + side_gradient.capacity() + across_row.capacity();
-  return Pair::memory_usage() + doubles * sizeof(double) + own_side.bytes() + across.bytes() +
+      pressure.capacity() + coupling_row.capacity();
+  return Pair::memory_usage() + doubles * sizeof(double) + own_side.bytes() +
       own_side_lane.capacity() * sizeof(int);
 }
 
 // for pair_tmsph_own_side.cpp
 
+template void PairTMSPH::complete_rows<2>();
+template void PairTMSPH::complete_rows<3>();
 template void PairTMSPH::bond_forces<2>(const Viscosity &, double *, int);
 template void PairTMSPH::bond_forces<3>(const Viscosity &, double *, int);
 template void PairTMSPH::update_shape<2>(Slices &, int, int);

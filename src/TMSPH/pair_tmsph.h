@@ -18,9 +18,12 @@ PairStyle(tmsph,PairTMSPH);
 #include "pair.h"
 #include "tmsph_dilatation.h"
 #include "tmsph_elastic.h"
+#include "tmsph_interface.h"
 
+#include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -153,19 +156,31 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   std::vector<double> rows;                       // virials or energies of particles, on demand
   TMSPH::Slices own_side;                         // particles with bonds to other materials
   std::vector<int> own_side_lane;                 // [nlocal] lane in own_side, or -1
-  std::vector<char> one_sided;                    // [lane] the fit there is over the own bonds only
   std::vector<int> touched;
 
   // averaged dilatation
   bool averaging;                                 // some material averages
-  bool averaging_at_interfaces;                   // and is bonded to another
   std::vector<double> exchanged;                  // [nlocal+nghost] dilatations, then lambda times means
   std::vector<double> mean_dilatation, pressure;  // [nlocal]
-  std::vector<double> side_gradient;              // [nlocal] F - I of own bonds, at interfaces only
-  std::vector<double> across_row;                 // [nlocal+nghost] like force_row
-  TMSPH::Slices across;                           // as own_side, bonds to others, weights negative
 
-  enum { FORCE_ROWS, STRESS, DISPLACEMENT, AVERAGE, ACROSS } what_to_send;
+  // its interfaces
+  bool coupling;                                  // a material that averages is bonded to another
+  struct Crossing {                               // a local particle with bonds across
+    struct Bond {
+      int k, j;                                   // number in the family, index of the partner
+      double stiffness;                           // c W_ij, 0: broken
+      std::array<double, 3> force;
+    };
+    int i;
+    double depth = 0.0, energy = 0.0;             // energy: its half
+    std::array<double, 3> force{};
+    std::vector<Bond> bonds;
+  };
+  std::vector<Crossing> crossing;
+  std::vector<double> coupling_row;               // [nlocal+nghost][D*D + 1]
+  TMSPH::InterfaceDepth interface_depth;
+
+  enum { FORCE_ROWS, STRESS, DISPLACEMENT, AVERAGE, COUPLING } what_to_send;
 
   void allocate();
   void complete_particles();
@@ -186,9 +201,19 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   void lay_out_averaging();
   template <int D> void find_pressures();
   template <int D> void add_pressures();
-  template <int D> const double *volume_gradient(int i) const;
   template <int D> void add_pressure_to_stress(int i, const double *H);
   double dilatation_energy(int i) const;
+  bool coupled(int itype, int jtype) const;
+  template <int D> void lay_out_coupling();
+  template <int D> void update_crossing(Crossing &);
+  template <int D> void couple_materials();
+  template <int D> void add_coupling_virial(double *each, double *total) const;
+  template <int D> const double *own_constants(int i) const
+  {
+    using namespace TMSPH;
+    return bond_fix->layout().own.data() + (size_t) (i / WIDTH) * CONSTANTS<D> * WIDTH + i % WIDTH;
+  }
+  template <int D> void complete_rows();
   template <int D>
   void bond_forces(const TMSPH::Viscosity &, double *f, int stride);
   void stop_inverted(int);

@@ -3,12 +3,6 @@
 
    Averaged dilatation of nearly incompressible materials in pair style tmsph:
    tmsph_dilatation.h has the equations.
-
-   At an interface the dilatation that counts is that of the own side, from a
-   linear fit over the bonds to the own material: the strain of a fit across the
-   interface is a mean of both sides, and lambda times its error would be many
-   times the stress. Its forces act along the same bonds only. They are put into
-   the force rows with all others, and taken away again from the bonds across.
 ------------------------------------------------------------------------- */
 
 #include "pair_tmsph.h"
@@ -46,7 +40,7 @@ bool PairTMSPH::averaged(int type) const
 
 void PairTMSPH::init_dilatation()
 {
-  averaging = averaging_at_interfaces = false;
+  averaging = coupling = false;
   const int n = atom->ntypes;
   for (int i = 1; i <= n; i++) {
     const double nu = materials[i].poisson;
@@ -58,9 +52,9 @@ void PairTMSPH::init_dilatation()
                                           : "the pressure needs averaging, which law svk has");
     if (!averaged(i)) continue;
     averaging = true;
-    for (int j = 1; j <= n; j++)
-      averaging_at_interfaces = averaging_at_interfaces || (j != i && are_bonded[i][j]);
+    for (int j = 1; j <= n; j++) coupling = coupling || coupled(i, j);
   }
+  if (coupling) interface_depth = InterfaceDepth(kernel, domain->dimension, cutoff);
 }
 
 /* ----------------------------------------------------------------------
@@ -107,21 +101,12 @@ template <int D> void PairTMSPH::find_pressures()
   exchanged.resize(nall);
   mean_dilatation.resize(nlocal);
   pressure.resize(nlocal);
-  if (averaging_at_interfaces) {
-    side_gradient.resize((size_t) D * D * nlocal);
-    GradientOutput out;
-    out.gradient = side_gradient.data();
-    out.linear = true;
-    gradient_sweep<D>(on, own_side, 0, own_side.count(), kinematic.data(), out);
-  }
   for (int i = 0; i < nlocal; i++) {
     exchanged[i] = 0.0;
     const int type = atom->type[i];
     // without a shape matrix there is no strain, and a thermal one would be spurious
-    const double *own = slices().own.data() +
-        (size_t) (i / WIDTH) * CONSTANTS<D> * WIDTH + i % WIDTH;
-    if (!averaged(type) || *own == 0.0) continue;
-    exchanged[i] = trace_of_strain<D>(volume_gradient<D>(i));
+    if (!averaged(type) || *own_constants<D>(i) == 0.0) continue;
+    exchanged[i] = trace_of_strain<D>(gradient.data() + (size_t) D * D * i);
     if (on.thermal == ThermalStrain::CONSTITUTIVE) exchanged[i] -= D * thermal_strain(i);
   }
   send(AVERAGE);
@@ -133,39 +118,14 @@ template <int D> void PairTMSPH::find_pressures()
 }
 
 /* ----------------------------------------------------------------------
-   F - I that the dilatation of local particle i comes from
-------------------------------------------------------------------------- */
-
-template <int D> const double *PairTMSPH::volume_gradient(int i) const
-{
-  const bool side = averaging_at_interfaces && own_side_lane[i] >= 0;
-  return (side ? side_gradient : gradient).data() + (size_t) D * D * i;
-}
-
-/* ----------------------------------------------------------------------
-   the pressures enter the force rows; what they put into bonds across an
-   interface stands in rows of its own as well, to be taken away again
+   the pressures enter the force rows
 ------------------------------------------------------------------------- */
 
 template <int D> void PairTMSPH::add_pressures()
 {
-  using R = Rows<D>;
-  const auto add = [this](int i, const Slices &bonds, int lane, double *rows) {
-    const double *own = bonds.own.data() +
-        (size_t) (lane / WIDTH) * CONSTANTS<D> * WIDTH + lane % WIDTH;
-    add_pressure<D>(pressure[i], volume_gradient<D>(i), own, rows + (size_t) i * R::FORCE);
-  };
   for (int i = 0; i < atom->nlocal; i++)
-    if (!averaging_at_interfaces || own_side_lane[i] < 0) add(i, slices(), i, force_row.data());
-  if (!averaging_at_interfaces) return;
-  across_row.assign((size_t) (atom->nlocal + atom->nghost) * R::FORCE, 0.0);
-  for (int i = 0; i < atom->nlocal; i++) {
-    const int lane = own_side_lane[i];
-    if (lane < 0) continue;
-    add(i, own_side, lane, force_row.data());
-    if (one_sided[lane]) add(i, own_side, lane, across_row.data());
-  }
-  send(ACROSS);
+    add_pressure<D>(pressure[i], gradient.data() + (size_t) D * D * i, own_constants<D>(i),
+                    force_row.data() + (size_t) i * Rows<D>::FORCE);
 }
 
 /* ----------------------------------------------------------------------

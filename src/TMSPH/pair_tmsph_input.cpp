@@ -31,7 +31,7 @@ PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), dilatation(Dilatation::AUTO),
     bond_fix(nullptr), break_test(nullptr), contact(nullptr), coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0), stable_dt(0.0),
     intact_dt(0.0), reported(false), stepped(false), prepared_version(-1),
-    averaging(false), averaging_at_interfaces(false), what_to_send(FORCE_ROWS)
+    averaging(false), coupling(false), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;
@@ -291,6 +291,7 @@ std::string PairTMSPH::features() const
   if (on.thermal == ThermalStrain::BOND) text += ", thermal bonds";
   if (on.thermal == ThermalStrain::CONSTITUTIVE) text += ", thermal strain";
   if (averaging) text += ", averaged dilatation";
+  if (coupling) text += ", coupled interfaces";
   if (on.hourglass) text += fmt::format(", hourglass {}", hourglass);
   if (on.viscosity) text += fmt::format(", viscosity {} {}", viscosity.alpha1, viscosity.alpha2);
   if (break_test) text += fmt::format(", breaking with {} doubles more per ghost", stress_size());

@@ -58,17 +58,10 @@ template <int D> void PairTMSPH::build_own_side()
   own_side.partner.assign(size, 0);
   own_side.fit.assign(size * D, 0.0);
   own_side.own.assign((size_t) own_side.count() * CONSTANTS<D> * WIDTH, 0.0);
-  one_sided.assign((size_t) own_side.count() * WIDTH, 0);
-  across = Slices();
-  if (averaging_at_interfaces) {
-    across = own_side;
-    across.fit.clear();
-  }
   for (int q = 0; q < own_side.count(); q++)    // pads: no bonds, any partner
     for (int l = own_side.valid[q]; l < WIDTH; l++)
       for (int b = 0; b < own_side.offset[q + 1] - own_side.offset[q]; b++)
         own_side.partner[own_side.at(q, l, b)] = own_side.particle[q * WIDTH + l];
-  if (averaging_at_interfaces) across.partner = own_side.partner;
   for (int i : members) fill_own_side<D>(i);
 }
 
@@ -88,13 +81,7 @@ template <int D> void PairTMSPH::fill_own_side(int i)
       own_side.weight[at] = here && (!own_only || atom->type[j] == atom->type[i])
           ? all.weight[all.at(i / WIDTH, i % WIDTH, k)]
           : 0.0f;
-      if (!averaging_at_interfaces) continue;
-      across.partner[at] = j;
-      across.weight[at] = here && atom->type[j] != atom->type[i]
-          ? -all.weight[all.at(i / WIDTH, i % WIDTH, k)]
-          : 0.0f;
     }
-    one_sided[own_side_lane[i]] = own_only;
     update_shape<D>(own_side, q, l);
     fit_own_side<D>(q, l, own_only);
     if (own_side.own[(size_t) q * CONSTANTS<D> * WIDTH + l] != 0.0) return;

@@ -77,7 +77,7 @@ template <int D> double PairTMSPH::stable_timestep_in()
     gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
     if (averaging) {
       find_pressures<D>();
-      add_pressures<D>();
+      complete_rows<D>();
     }
     send(FORCE_ROWS);
     f.assign(trial.size(), 0.0);

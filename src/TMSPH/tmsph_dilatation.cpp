@@ -46,12 +46,8 @@ template <int D> void average_sweep(const Slices &bonds, const double *value, do
 
 template <int D> void add_pressure(double q, const double *H, const double *own, double *force_row)
 {
-  Matrix<D, double> inverse;
-  int entry = 0;
-  for (int a = 0; a < D; a++)
-    for (int b = a; b < D; b++) inverse[a][b] = inverse[b][a] = own[WIDTH * entry++];
-  const double volume = own[WIDTH * entry];
-  const Matrix<D, double> FK = product(deformation_of<D>(H), inverse);
+  const double volume = own[WIDTH * SYMMETRIC<D>];
+  const Matrix<D, double> FK = product(deformation_of<D>(H), shape_inverse<D>(own));
   for (int a = 0; a < D; a++)
     for (int b = 0; b < D; b++) force_row[Rows<D>::B + a * D + b] += volume * q * FK[a][b];
 }

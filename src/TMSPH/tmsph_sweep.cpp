@@ -130,7 +130,7 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
     const int *particle = bonds.particle.data() + q * WIDTH;
     const int n = bonds.valid[q];
     constexpr bool HEATED = THERMAL == ThermalStrain::BOND;
-    const Matrix<D, Lanes> H = bonds.fit.empty() || out.linear
+    const Matrix<D, Lanes> H = bonds.fit.empty()
         ? displacement_gradient<D, HEATED>(bonds, q, own, kinematic)
         : fitted_gradient<D, HEATED>(bonds, q, own, kinematic);
     const Lanes thermal =

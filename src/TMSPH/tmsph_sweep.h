@@ -94,6 +94,15 @@ struct Slices {
   }
 };
 
+/// Kbar^-1 from the constants of one lane
+template <int D> inline Matrix<D, double> shape_inverse(const double *own)
+{
+  Matrix<D, double> K;
+  for (int a = 0, entry = 0; a < D; a++)
+    for (int b = a; b < D; b++) K[a][b] = K[b][a] = own[WIDTH * entry++];
+  return K;
+}
+
 /** Cauchy stress row per particle: xx yy xy in 2-D, xx yy zz xy xz yz in 3-D. */
 template <int D> constexpr int STRESS_ROW = D == 2 ? 3 : 6;
 
@@ -108,8 +117,6 @@ struct GradientOutput {
   int *inverted = nullptr;        ///< set to a particle with det F <= 0 or NaN, if there is one
   /// where bonds may break det F <= 0 is no error: the stress becomes UNBEARABLE in tension instead
   bool inverted_breaks = false;
-  /// the linear fit, even if the slices have another
-  bool linear = false;
 };
 
 template <int D>
