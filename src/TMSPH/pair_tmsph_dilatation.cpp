@@ -18,10 +18,10 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// above these Poisson's ratios pressures are noisy (lambda times the errors of the dilatation),
-// without the averaging and with it
+// above these Poisson's ratios the stresses are off by more than 5 %, by lambda times errors of
+// the dilatation: without averaging, with it, and with it next to another material
 
-static constexpr double MAX_PLAIN = 0.45, MAX_AVERAGED = 0.4999;
+static constexpr double MAX_PLAIN = 0.45, MAX_AVERAGED = 0.4999, MAX_COUPLED = 0.499;
 
 /* ----------------------------------------------------------------------
    plane stress needs no averaging: its lambda stays finite. The Almansi law has
@@ -44,15 +44,28 @@ void PairTMSPH::init_dilatation()
   const int n = atom->ntypes;
   for (int i = 1; i <= n; i++) {
     const double nu = materials[i].poisson;
-    if (nu > (averaged(i) ? MAX_AVERAGED : MAX_PLAIN) && plane == Plane::STRAIN)
-      error->all(FLERR, "Poisson's ratio {} of type {} is above {}: {}", nu, i,
-                 averaged(i) ? MAX_AVERAGED : MAX_PLAIN,
-                 averaged(i)           ? "use that at most, the difference is of no consequence"
-                     : on.law == Law::SVK ? "the pressure needs pair_style tmsph ... dilatation auto"
-                                          : "the pressure needs averaging, which law svk has");
-    if (!averaged(i)) continue;
+    bool beside_another = false;
+    for (int j = 1; j <= n; j++) beside_another = beside_another || coupled(i, j);
+    if (!averaged(i)) {
+      if (nu > MAX_PLAIN && plane == Plane::STRAIN)
+        error->all(FLERR,
+                   "Poisson's ratio {} of type {} is above {}: its stresses lock unless pair_style "
+                   "tmsph has 'dilatation auto' or 'averaged', and 'law svk'",
+                   nu, i, MAX_PLAIN);
+      continue;
+    }
+    if (nu > MAX_AVERAGED)
+      error->all(FLERR,
+                 "Poisson's ratio {} of type {} is above {}, the largest with averaged "
+                 "dilatation: use that, it is as good as incompressible",
+                 nu, i, MAX_AVERAGED);
+    if (beside_another && nu > MAX_COUPLED)
+      error->all(FLERR,
+                 "Poisson's ratio {} of type {}, which is bonded to another type, is above {}: use "
+                 "that at most, or 'pair_coeff I J none' where only contact acts between them",
+                 nu, i, MAX_COUPLED);
     averaging = true;
-    for (int j = 1; j <= n; j++) coupling = coupling || coupled(i, j);
+    coupling = coupling || beside_another;
   }
   if (coupling) interface_depth = InterfaceDepth(kernel, domain->dimension, cutoff);
 }
