@@ -203,6 +203,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   template <int D> void add_pressures();
   template <int D> void add_pressure_to_stress(int i, const double *H);
   double dilatation_energy(int i) const;
+  bool same_material(int itype, int jtype) const;
   bool coupled(int itype, int jtype) const;
   template <int D> void lay_out_coupling();
   template <int D> void update_crossing(Crossing &);

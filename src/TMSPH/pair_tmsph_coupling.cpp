@@ -21,11 +21,24 @@ using namespace TMSPH;
 
 static constexpr double LEAST_DEPTH = 0.05;
 
+/* ----------------------------------------------------------------------
+   types with the same constants are one material here
+------------------------------------------------------------------------- */
+
+bool PairTMSPH::same_material(int itype, int jtype) const
+{
+  const Material &one = materials[itype], &other = materials[jtype];
+  return one.young == other.young && one.poisson == other.poisson &&
+      one.expansion == other.expansion &&
+      one.reference_temperature == other.reference_temperature;
+}
+
 /* ---------------------------------------------------------------------- */
 
 bool PairTMSPH::coupled(int itype, int jtype) const
 {
-  return itype != jtype && are_bonded[itype][jtype] && (averaged(itype) || averaged(jtype));
+  return !same_material(itype, jtype) && are_bonded[itype][jtype] &&
+      (averaged(itype) || averaged(jtype));
 }
 
 /* ----------------------------------------------------------------------
@@ -69,8 +82,9 @@ template <int D> void PairTMSPH::update_crossing(Crossing &one)
     bond_fix->reference_vector(i, j, X);
     for (int c = 0; c < D; c++) R2 += X[c] * X[c];
     const double mass = atom->vfrac[j] * kernel_value(kernel, D, std::sqrt(R2), cutoff);
-    if (atom->type[j] == type) own += mass;
-    if (atom->type[j] == type || coupled(type, atom->type[j])) all += mass;
+    const bool same = same_material(type, atom->type[j]);
+    if (same) own += mass;
+    if (same || coupled(type, atom->type[j])) all += mass;
   }
   one.depth = std::max(interface_depth(own / all), LEAST_DEPTH * std::pow(volume, 1.0 / D));
   for (auto &bond : one.bonds)

@@ -91,7 +91,8 @@ void PairTMSPH::lay_out_averaging()
       for (int k = 0; k < bond_fix->count(i); k++) {
         const size_t at = all.at(q, l, k);
         const int j = all.partner[at];
-        if (all.weight[at] == 0.0f || atom->type[j] != atom->type[i]) continue;
+        if (all.weight[at] == 0.0f || !same_material(atom->type[i], atom->type[j]))
+          continue;
         double X[3];
         bond_fix->reference_vector(i, j, X);
         const double R =
