@@ -467,6 +467,7 @@ void FixTMSPHBond::lay_out()
   const size_t size = (size_t) slices.offset[nslice] * WIDTH;
   slices.partner.resize(size);
   slices.weight.resize(size);
+  slices.averaging.clear();
 
   for (int q = 0; q < nslice; q++) {
     const int rows = slices.offset[q + 1] - slices.offset[q];
@@ -509,7 +510,9 @@ void FixTMSPHBond::remove_bond(int i, int k, State why)
 {
   state[i][k] = why;
   nremoved++;
-  slices.weight[slices.at(i / WIDTH, i % WIDTH, k)] = 0.0f;
+  const size_t at = slices.at(i / WIDTH, i % WIDTH, k);
+  slices.weight[at] = 0.0f;
+  if (!slices.averaging.empty()) slices.averaging[at] = 0.0f;
 }
 
 /* ---------------------------------------------------------------------- */

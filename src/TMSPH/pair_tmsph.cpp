@@ -57,21 +57,25 @@ template <int D> void PairTMSPH::evaluate()
     out.stress = stress.data();
     out.inverted_breaks = true;
   }
-  if (contact) {
+  if (contact || averaging) {
     gradient.resize((size_t) D * D * nlocal);
     out.gradient = gradient.data();
   }
   gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
   if (inverted >= 0) stop_inverted(inverted);
+  if (averaging) find_pressures<D>();
   if (testing) test_bonds<D>();
+  if (averaging) complete_rows<D>();
   if (contact) add_couples<D>();
   send(FORCE_ROWS);
 
-  force_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), atom->f[0]);
+  bond_forces<D>(viscosity, atom->f[0], 3);
   if (vflag_either) {
     if (vflag_atom) rows.assign(6 * (size_t) nlocal, 0.0);
-    virial_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(),
-                    vflag_atom ? rows.data() : nullptr, vflag_global ? virial : nullptr);
+    double *const each = vflag_atom ? rows.data() : nullptr;
+    double *const total = vflag_global ? virial : nullptr;
+    virial_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), each, total);
+    if (coupling) add_coupling_virial<D>(each, total);
     if (vflag_atom)
       for (int i = 0; i < nlocal; i++)
         for (int k = 0; k < 6; k++) vatom[i][k] += rows[6 * (size_t) i + k];
@@ -83,12 +87,39 @@ template <int D> void PairTMSPH::evaluate()
 
   if (eflag_either) {
     if (eflag_atom) rows.resize(nlocal);
-    const double energy =
+    double energy =
         energy_sweep<D>(on, slices(), kinematic.data(), eflag_atom ? rows.data() : nullptr);
+    for (int i = 0; averaging && i < nlocal; i++) {
+      energy += dilatation_energy(i);
+      if (eflag_atom) rows[i] += dilatation_energy(i);
+    }
+    for (const auto &one : crossing) {
+      energy += one.energy;
+      if (eflag_atom) rows[one.i] += one.energy;
+    }
     if (eflag_global) eng_vdwl += energy;
     if (eflag_atom)
       for (int i = 0; i < nlocal; i++) eatom[i] += rows[i];
   }
+}
+
+/* ----------------------------------------------------------------------
+   what averaging adds to the force rows
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::complete_rows()
+{
+  add_pressures<D>();
+  if (coupling) couple_materials<D>();
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::bond_forces(const Viscosity &viscous, double *f, int stride)
+{
+  force_sweep<D>(on, slices(), viscous, kinematic.data(), force_row.data(), f, stride);
+  for (const auto &one : crossing)
+    for (int k = 0; k < D; k++) f[(size_t) stride * one.i + k] += one.force[k];
 }
 
 /* ----------------------------------------------------------------------
@@ -111,11 +142,13 @@ template <int D> void PairTMSPH::prepare()
     end[R::SPEED] = std::sqrt(m.elastic.wave_modulus / density);
     end[R::DENSITY] = density;
   }
+  lay_out_coupling<D>();
+  build_own_side<D>();
   Slices &all = slices();
   all.own.resize((size_t) all.count() * CONSTANTS<D> * WIDTH);
   for (int q = 0; q < all.count(); q++)
     for (int l = 0; l < WIDTH; l++) update_shape<D>(all, q, l);
-  build_own_side<D>();
+  lay_out_averaging();
   viscosity.kappa = bond_fix->interior_kappa();
   prepared_version = bond_fix->layout_version();
 }
@@ -150,7 +183,7 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   for (int a = 0; a < D; a++)
     for (int b = a; b < D; b++) own[WIDTH * entry++] = inverse(a, b);
   own[WIDTH * entry++] = atom->vfrac[i];
-  own[WIDTH * entry++] = m.lambda;
+  own[WIDTH * entry++] = averaged(atom->type[i]) ? 0.0 : m.lambda;    // see find_pressures()
   own[WIDTH * entry++] = m.shear;
   own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young;
 }
@@ -217,11 +250,13 @@ template <int D> void PairTMSPH::test_bonds()
   send(STRESS);
   touched.clear();
   break_test->break_bonds(stress.data(), touched);
-  if (touched.empty()) return;
+  int broke = !touched.empty(), broke_anywhere = broke;
+  if (averaging) MPI_Allreduce(&broke, &broke_anywhere, 1, MPI_INT, MPI_MAX, world);
+  if (!broke_anywhere) return;
   std::sort(touched.begin(), touched.end());
   GradientOutput out;
   out.force_row = force_row.data();
-  if (contact) out.gradient = gradient.data();
+  if (contact || averaging) out.gradient = gradient.data();
   int last_slice = -1;
   for (int i : touched) {
     update_shape<D>(slices(), i / WIDTH, i % WIDTH);
@@ -233,6 +268,9 @@ template <int D> void PairTMSPH::test_bonds()
     if (q != last_slice) gradient_sweep<D>(on, slices(), q, q + 1, kinematic.data(), out);
     last_slice = q;
   }
+  for (auto &one : crossing)
+    if (std::binary_search(touched.begin(), touched.end(), one.i)) update_crossing<D>(one);
+  if (averaging) find_pressures<D>();
 }
 
 /* ----------------------------------------------------------------------
@@ -242,14 +280,10 @@ template <int D> void PairTMSPH::test_bonds()
 
 template <int D> void PairTMSPH::add_couples()
 {
-  const Slices &all = slices();
   for (const Contact::Couple &couple : contact->couples()) {
     const int i = couple.i;
-    const double *own =
-        all.own.data() + (size_t) (i / WIDTH) * CONSTANTS<D> * WIDTH + i % WIDTH;
-    Matrix<D, double> inverse, skew, H;
-    for (int a = 0, entry = 0; a < D; a++)
-      for (int b = a; b < D; b++) inverse[a][b] = inverse[b][a] = own[WIDTH * entry++];
+    const Matrix<D, double> inverse = shape_inverse<D>(own_constants<D>(i));
+    Matrix<D, double> skew, H;
     const double *c = couple.axial;
     for (int a = 0; a < D; a++)
       for (int b = 0; b < D; b++) {
@@ -313,6 +347,7 @@ PairTMSPH::Fields PairTMSPH::fields()
     out.stress = stress.data();
     out.gradient = gradient.data();
     gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
+    if (averaging) find_pressures<D>();
     own_side_stress<D>(false);
     if (contact) contact->add_stress(stress.data());
   };
@@ -372,7 +407,9 @@ int PairTMSPH::stress_size() const
 
 int PairTMSPH::doubles_per_ghost() const
 {
-  return domain->dimension == 2 ? Rows<2>::communicated(on) : Rows<3>::communicated(on);
+  const int d = domain->dimension;
+  const int rows = d == 2 ? Rows<2>::communicated(on) : Rows<3>::communicated(on);
+  return rows + 2 * averaging + (d * d + 1) * coupling;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -380,9 +417,23 @@ int PairTMSPH::doubles_per_ghost() const
 void PairTMSPH::send(decltype(FORCE_ROWS) what)
 {
   what_to_send = what;
-  comm_forward = what == FORCE_ROWS ? doubles_per_ghost()
-      : what == STRESS              ? stress_size()
-                                    : domain->dimension;
+  const int d = domain->dimension;
+  switch (what) {
+    case FORCE_ROWS:
+      comm_forward = d == 2 ? Rows<2>::communicated(on) : Rows<3>::communicated(on);
+      break;
+    case STRESS:
+      comm_forward = stress_size();
+      break;
+    case DISPLACEMENT:
+      comm_forward = d;
+      break;
+    case AVERAGE:
+      comm_forward = 1;
+      break;
+    default:
+      comm_forward = d * d + 1;
+  }
   comm->forward_comm(this);
 }
 
@@ -396,6 +447,10 @@ std::pair<double *, int> PairTMSPH::rows_to_send()
       return {force_row.data(), two ? Rows<2>::FORCE : Rows<3>::FORCE};
     case STRESS:
       return {stress.data(), stress_size()};
+    case AVERAGE:
+      return {exchanged.data(), 1};
+    case COUPLING:
+      return {coupling_row.data(), comm_forward};
     default:
       return {kinematic.data() + (two ? Rows<2>::U : Rows<3>::U),
               two ? Rows<2>::KINEMATIC : Rows<3>::KINEMATIC};
@@ -434,12 +489,17 @@ Slices &PairTMSPH::slices()
 double PairTMSPH::memory_usage()
 {
   const size_t doubles = kinematic.capacity() + force_row.capacity() + stress.capacity() +
-      gradient.capacity() + rows.capacity();
+      gradient.capacity() + rows.capacity() + exchanged.capacity() + mean_dilatation.capacity() +
+      pressure.capacity() + coupling_row.capacity();
   return Pair::memory_usage() + doubles * sizeof(double) + own_side.bytes() +
       own_side_lane.capacity() * sizeof(int);
 }
 
 // for pair_tmsph_own_side.cpp
 
+template void PairTMSPH::complete_rows<2>();
+template void PairTMSPH::complete_rows<3>();
+template void PairTMSPH::bond_forces<2>(const Viscosity &, double *, int);
+template void PairTMSPH::bond_forces<3>(const Viscosity &, double *, int);
 template void PairTMSPH::update_shape<2>(Slices &, int, int);
 template void PairTMSPH::update_shape<3>(Slices &, int, int);

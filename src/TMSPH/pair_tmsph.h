@@ -16,10 +16,14 @@ PairStyle(tmsph,PairTMSPH);
 
 #include "fix_tmsph_bond.h"
 #include "pair.h"
+#include "tmsph_dilatation.h"
 #include "tmsph_elastic.h"
+#include "tmsph_interface.h"
 
+#include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -164,6 +168,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   TMSPH::ThermalStrain thermal_mode;    // as asked for; "on" has what the scene needs
   TMSPH::Viscosity viscosity;
   double hourglass;
+  TMSPH::Dilatation dilatation;
   std::vector<Material> materials;                // by type
   std::vector<std::vector<char>> are_bonded;      // by type and type
   FixTMSPHBond *bond_fix;
@@ -187,7 +192,30 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   TMSPH::Slices own_side;                         // particles with bonds to other materials
   std::vector<int> own_side_lane;                 // [nlocal] lane in own_side, or -1
   std::vector<int> touched;
-  enum { FORCE_ROWS, STRESS, DISPLACEMENT } what_to_send;
+
+  // averaged dilatation
+  bool averaging;                                 // some material averages
+  std::vector<double> exchanged;                  // [nlocal+nghost] dilatations, then lambda times means
+  std::vector<double> mean_dilatation, pressure;  // [nlocal]
+
+  // its interfaces
+  bool coupling;                                  // a material that averages is bonded to another
+  struct Crossing {                               // a local particle with bonds across
+    struct Bond {
+      int k, j;                                   // number in the family, index of the partner
+      double stiffness;                           // c W_ij, 0: broken
+      std::array<double, 3> force;
+    };
+    int i;
+    double depth = 0.0, energy = 0.0;             // energy: its half
+    std::array<double, 3> force{};
+    std::vector<Bond> bonds;
+  };
+  std::vector<Crossing> crossing;
+  std::vector<double> coupling_row;               // [nlocal+nghost][D*D + 1]
+  TMSPH::InterfaceDepth interface_depth;
+
+  enum { FORCE_ROWS, STRESS, DISPLACEMENT, AVERAGE, COUPLING } what_to_send;
 
   void allocate();
   void complete_particles();
@@ -203,6 +231,27 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   template <int D> void test_bonds();
   template <int D> void own_side_stress(bool inverted_breaks);
   template <int D> void add_couples();
+  bool averaged(int type) const;
+  void init_dilatation();
+  void lay_out_averaging();
+  template <int D> void find_pressures();
+  template <int D> void add_pressures();
+  template <int D> void add_pressure_to_stress(int i, const double *H);
+  double dilatation_energy(int i) const;
+  bool same_material(int itype, int jtype) const;
+  bool coupled(int itype, int jtype) const;
+  template <int D> void lay_out_coupling();
+  template <int D> void update_crossing(Crossing &);
+  template <int D> void couple_materials();
+  template <int D> void add_coupling_virial(double *each, double *total) const;
+  template <int D> const double *own_constants(int i) const
+  {
+    using namespace TMSPH;
+    return bond_fix->layout().own.data() + (size_t) (i / WIDTH) * CONSTANTS<D> * WIDTH + i % WIDTH;
+  }
+  template <int D> void complete_rows();
+  template <int D>
+  void bond_forces(const TMSPH::Viscosity &, double *f, int stride);
   void stop_inverted(int);
   void stop_thermal();
   template <int D> double stable_timestep_in();

@@ -24,18 +24,15 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// above this Poisson's ratio the stresses lock (pressure noise) without averaged dilatation
-
-static constexpr double MAX_POISSON = 0.45;
-
 /* ---------------------------------------------------------------------- */
 
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
-    thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr), contact(nullptr),
-    contact_serves_heat(false),
+    thermal_mode(ThermalStrain::BOND), hourglass(0.1), dilatation(Dilatation::AUTO),
+    bond_fix(nullptr), break_test(nullptr), contact(nullptr), contact_serves_heat(false),
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0), stable_dt(0.0),
-    intact_dt(0.0), reported(false), stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
+    intact_dt(0.0), reported(false), stepped(false), prepared_version(-1), averaging(false),
+    coupling(false), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;
@@ -101,16 +98,18 @@ void PairTMSPH::settings(int narg, char **arg)
   thermal_mode = ThermalStrain::BOND;
   on.law = Law::SVK;
   hourglass = 0.1;
+  dilatation = Dilatation::AUTO;
   viscosity = Viscosity();
 
   for (int iarg = 1; iarg < narg;) {
     const std::string word = arg[iarg];
     const int values = word == "viscosity" ? 2 : 1;
-    const auto known = {"kernel", "plane", "law", "thermal", "hourglass", "viscosity"};
+    const auto known = {"kernel",    "plane",     "law",       "thermal",
+                        "hourglass", "viscosity", "dilatation"};
     if (std::find(known.begin(), known.end(), word) == known.end())
       error->all(FLERR,
                  "Unknown pair_style tmsph keyword '{}': use kernel, plane, law, hourglass, "
-                 "viscosity or thermal",
+                 "viscosity, thermal or dilatation",
                  word);
     if (iarg + values >= narg) utils::missing_cmd_args(FLERR, "pair_style tmsph " + word, error);
     const char *value = arg[iarg + 1];
@@ -129,6 +128,11 @@ void PairTMSPH::settings(int narg, char **arg)
       thermal_mode = one_of<ThermalStrain>(
           error, "thermal", value,
           {{"bond", ThermalStrain::BOND}, {"strain", ThermalStrain::CONSTITUTIVE}});
+    else if (word == "dilatation")
+      dilatation = one_of<Dilatation>(error, "dilatation", value,
+                                      {{"auto", Dilatation::AUTO},
+                                       {"plain", Dilatation::PLAIN},
+                                       {"averaged", Dilatation::AVERAGED}});
     else if (word == "hourglass") {
       hourglass = utils::numeric(FLERR, value, false, lmp);
       if (hourglass < 0.0)
@@ -207,11 +211,6 @@ void PairTMSPH::coeff(int narg, char **arg)
     error->all(FLERR, "Young's modulus {} in pair_coeff must be positive", arg[3]);
   if (m.poisson <= -1.0 || m.poisson >= 0.5)
     error->all(FLERR, "Poisson's ratio {} in pair_coeff must lie between -1 and 0.5", arg[4]);
-  if (m.poisson > MAX_POISSON)
-    error->all(FLERR,
-               "Poisson's ratio {} in pair_coeff is above {}: nearly incompressible material locks "
-               "in this formulation; use {} at most",
-               arg[4], MAX_POISSON, MAX_POISSON);
   if (m.density <= 0.0)
     error->all(FLERR,
                "Density {} in pair_coeff ... elastic must be positive: add 'density rho' with the "
@@ -256,6 +255,7 @@ void PairTMSPH::init_style()
     m.elastic = elastic_constants(domain->dimension, plane, m.young, m.poisson, m.expansion);
     expands = expands || m.expansion != 0.0;
   }
+  init_dilatation();
   on.thermal = expands ? thermal_mode : ThermalStrain::NONE;
   on.hourglass = hourglass > 0.0;
   on.viscosity = viscosity.alpha1 > 0.0 || viscosity.alpha2 > 0.0;
@@ -296,6 +296,8 @@ std::string PairTMSPH::features() const
   text += on.law == Law::SVK ? ", St Venant-Kirchhoff" : ", Almansi";
   if (on.thermal == ThermalStrain::BOND) text += ", thermal bonds";
   if (on.thermal == ThermalStrain::CONSTITUTIVE) text += ", thermal strain";
+  if (averaging) text += ", averaged dilatation";
+  if (coupling) text += ", coupled interfaces";
   if (on.hourglass) text += fmt::format(", hourglass {}", hourglass);
   if (on.viscosity) text += fmt::format(", viscosity {} {}", viscosity.alpha1, viscosity.alpha2);
   if (break_test) text += fmt::format(", breaking with {} doubles more per ghost", stress_size());
@@ -334,10 +336,11 @@ void PairTMSPH::complete_particles()
 
 void PairTMSPH::write_restart_settings(FILE *fp)
 {
-  const double list[7] = {cutoff,    (double) kernel,  (double) plane,   (double) thermal_mode,
-                          hourglass, viscosity.alpha1, viscosity.alpha2};
+  const double list[8] = {cutoff,           (double) kernel,  (double) plane,
+                          (double) thermal_mode, hourglass,   viscosity.alpha1,
+                          viscosity.alpha2, (double) dilatation};
   const int law = (int) on.law;
-  fwrite(list, sizeof(double), 7, fp);
+  fwrite(list, sizeof(double), 8, fp);
   fwrite(&law, sizeof(int), 1, fp);
 }
 
@@ -345,13 +348,13 @@ void PairTMSPH::write_restart_settings(FILE *fp)
 
 void PairTMSPH::read_restart_settings(FILE *fp)
 {
-  double list[7];
+  double list[8];
   int law;
   if (comm->me == 0) {
-    utils::sfread(FLERR, list, sizeof(double), 7, fp, nullptr, error);
+    utils::sfread(FLERR, list, sizeof(double), 8, fp, nullptr, error);
     utils::sfread(FLERR, &law, sizeof(int), 1, fp, nullptr, error);
   }
-  MPI_Bcast(list, 7, MPI_DOUBLE, 0, world);
+  MPI_Bcast(list, 8, MPI_DOUBLE, 0, world);
   MPI_Bcast(&law, 1, MPI_INT, 0, world);
   cutoff = list[0];
   kernel = (Kernel) (int) list[1];
@@ -360,6 +363,7 @@ void PairTMSPH::read_restart_settings(FILE *fp)
   hourglass = list[4];
   viscosity.alpha1 = list[5];
   viscosity.alpha2 = list[6];
+  dilatation = (Dilatation) (int) list[7];
   on.law = (Law) law;
 }
 

@@ -132,7 +132,14 @@ template <int D> void PairTMSPH::own_side_stress(bool inverted_breaks)
   GradientOutput out;
   out.stress = stress.data();
   out.inverted_breaks = inverted_breaks;
+  std::vector<double> fitted(averaging ? own_side_lane.size() * D * D : 0);
+  if (averaging) out.gradient = fitted.data();
   gradient_sweep<D>(on, own_side, 0, own_side.count(), kinematic.data(), out);
+  if (!averaging) return;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const auto &from = own_side_lane[i] >= 0 ? fitted : gradient;
+    add_pressure_to_stress<D>(i, from.data() + (size_t) D * D * i);
+  }
 }
 
 // for pair_tmsph.cpp

@@ -70,11 +70,18 @@ template <int D> double PairTMSPH::stable_timestep_in()
     send(DISPLACEMENT);
     GradientOutput out;
     out.force_row = force_row.data();
+    if (averaging) {
+      gradient.resize((size_t) D * D * nlocal);
+      out.gradient = gradient.data();
+    }
     gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
+    if (averaging) {
+      find_pressures<D>();
+      complete_rows<D>();
+    }
     send(FORCE_ROWS);
     f.assign(trial.size(), 0.0);
-    force_sweep<D>(on, slices(), linear, kinematic.data(), force_row.data(), f.data(),
-                   D);
+    bond_forces<D>(linear, f.data(), D);
   };
 
   for (int i = 0; i < nlocal; i++)

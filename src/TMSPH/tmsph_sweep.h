@@ -79,6 +79,7 @@ struct Slices {
   std::vector<int> partner;      ///< [row][8] local or ghost index
   std::vector<float> weight;     ///< [row][8] W_ij; rounded to float once, the same for both ends
   std::vector<double> own;       ///< [slice][CONSTANTS][8]
+  std::vector<float> averaging;  ///< [row][8] M_ij of tmsph_dilatation.h; empty: none
   /// [row][D][8] g_ij of another fit than the above, H_i = sum_j u'_ij g_ij^T; empty: none
   std::vector<double> fit;
 
@@ -88,10 +89,19 @@ struct Slices {
   size_t bytes() const
   {
     return (particle.capacity() + valid.capacity() + offset.capacity() + partner.capacity()) *
-        sizeof(int) + weight.capacity() * sizeof(float) +
+        sizeof(int) + (weight.capacity() + averaging.capacity()) * sizeof(float) +
         (own.capacity() + fit.capacity()) * sizeof(double);
   }
 };
+
+/// Kbar^-1 from the constants of one lane
+template <int D> inline Matrix<D, double> shape_inverse(const double *own)
+{
+  Matrix<D, double> K;
+  for (int a = 0, entry = 0; a < D; a++)
+    for (int b = a; b < D; b++) K[a][b] = K[b][a] = own[WIDTH * entry++];
+  return K;
+}
 
 /** Cauchy stress row per particle: xx yy xy in 2-D, xx yy zz xy xz yz in 3-D. */
 template <int D> constexpr int STRESS_ROW = D == 2 ? 3 : 6;

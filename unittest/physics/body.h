@@ -8,6 +8,7 @@
 #ifndef TMSPH_TEST_BODY_H
 #define TMSPH_TEST_BODY_H
 
+#include "tmsph_interface.h"
 #include "tmsph_kernel.h"
 #include "tmsph_sweep.h"
 
@@ -39,6 +40,8 @@ template <int D> struct Particle {
   double thermal = 0.0;        ///< thermal strain a = alpha* (T - T0)
   TMSPH::Elastic material;
   bool singular = false;       ///< too few bonds: neither pulls nor resists
+  int type = 0;
+  bool averaged = false;       ///< its material averages the dilatation
 };
 
 /** W(i, j) = V_i V_j w_ij rounded to float as the package does; 0 is no bond. */
@@ -46,6 +49,11 @@ template <int D> struct Body {
   std::vector<Particle<D>> p;
   Eigen::MatrixXf W;
   double spacing = 0.0, horizon = 0.0;
+
+  // of materials that average, see average()
+  Eigen::MatrixXf M;           ///< M_ij of the averaging
+  Eigen::MatrixXf across;      ///< W_ij of bonds across coupled interfaces, which are not in W
+  std::vector<double> depth;   ///< under the interface
 
   int size() const { return (int) p.size(); }
 
@@ -76,6 +84,31 @@ template <int D> struct Body {
       for (int j = 0; j < i; j++)
         W(i, j) = W(j, i) = (float) (p[i].volume * p[j].volume *
             TMSPH::kernel_slope(kernel, D, (p[j].X - p[i].X).norm(), horizon));
+  }
+
+  /// sets up what averaging needs from the bonds that there are, and takes those across out of W
+  void average(TMSPH::Kernel kernel, double interior)
+  {
+    const TMSPH::InterfaceDepth interface_depth(kernel, D, horizon);
+    M = across = Eigen::MatrixXf::Zero(size(), size());
+    depth.assign(size(), 0.0);
+    for (int i = 0; i < size(); i++) {
+      double own = 0.0, all = 0.0;
+      for (int j = 0; j < size(); j++) {
+        if (j != i && W(i, j) == 0.0f) continue;
+        const double value =
+            TMSPH::kernel_value(kernel, D, (p[j].X - p[i].X).norm(), horizon);
+        const bool same = p[j].type == p[i].type;
+        const bool coupled = !same && (p[i].averaged || p[j].averaged);
+        if (same) own += p[j].volume * value;
+        if (same || coupled) all += p[j].volume * value;
+        if (same && j != i && p[i].averaged)
+          M(i, j) = (float) (p[i].volume * p[j].volume / interior * value);
+        if (coupled) across(i, j) = W(i, j);
+      }
+      depth[i] = std::max(interface_depth(own / all), 0.05 * std::pow(p[i].volume, 1.0 / D));
+    }
+    W -= across;
   }
 };
 

@@ -49,10 +49,12 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
 
   Answer<D> out;
   std::vector<Square<D>> PK(n);    // P_i K_i^-1
+  std::vector<Square<D>> inverse_of(n);
   for (int i = 0; i < n; i++) {
     const double V = p[i].volume;
     const Square<D> K = body.shape(i) / V;
     const Square<D> inverse = p[i].singular ? Square<D>(Square<D>::Zero()) : K.inverse();
+    inverse_of[i] = inverse;
     Square<D> sum = Square<D>::Zero();
     for (int j = 0; j < n; j++) {
       const Vector<D> X = p[j].X - p[i].X;
@@ -61,7 +63,9 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
     const Square<D> F = one + sum * inverse;
     const double J = F.determinant();
     const double a = on.thermal == TMSPH::ThermalStrain::CONSTITUTIVE ? p[i].thermal : 0.0;
-    const double lambda = p[i].material.lambda, mu = p[i].material.shear;
+    // averaged dilatation has its share below
+    const double lambda = p[i].averaged ? 0.0 : p[i].material.lambda;
+    const double mu = p[i].material.shear;
     const Square<D> green = 0.5 * (F.transpose() * F - one);
     Square<D> e, P;
     if (on.law == TMSPH::Law::SVK) {
@@ -85,6 +89,57 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
     out.cauchy.push_back((P / stretch) * (stretch * F).transpose() / (stretch * F).determinant());
   }
 
+  // pressures of materials that average their dilatation
+  if (body.M.size()) {
+    const auto mean = [&](const std::vector<double> &value) {
+      std::vector<double> result(value);
+      for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+          result[i] += body.M(i, j) / p[i].volume * (value[j] - value[i]);
+      return result;
+    };
+    std::vector<double> theta(n, 0.0);
+    for (int i = 0; i < n; i++)
+      if (p[i].averaged && !p[i].singular) {
+        const double a = on.thermal == TMSPH::ThermalStrain::CONSTITUTIVE ? p[i].thermal : 0.0;
+        theta[i] = 0.5 * (out.F[i].transpose() * out.F[i] - one).trace() - D * a;
+      }
+    std::vector<double> pressure = mean(theta);
+    for (int i = 0; i < n; i++) {
+      if (p[i].averaged)
+        out.energy[i] +=
+            p[i].volume * 0.5 * p[i].material.lambda * pressure[i] * pressure[i];
+      pressure[i] *= p[i].averaged ? p[i].material.lambda : 0.0;
+    }
+    pressure = mean(pressure);
+    for (int i = 0; i < n; i++) PK[i] += pressure[i] * out.F[i] * inverse_of[i];
+  }
+
+  // bonds across the interfaces of such materials: what is left between the displacements of
+  // both sides, each taken to the interface with its own gradient
+  const auto gap = [&](int i, int j) -> Vector<D> {
+    const double s = body.depth[i] / (body.depth[i] + body.depth[j]);
+    const auto whole = [&](int k) -> Square<D> {
+      return (bond ? 1.0 + p[k].thermal : 1.0) * out.F[k];
+    };
+    return (p[j].X + p[j].u - p[i].X - p[i].u) -
+        (s * whole(i) + (1.0 - s) * whole(j)) * (p[j].X - p[i].X);
+  };
+  const auto pull = [&](int i, int j) -> Vector<D> {
+    const double Ei = p[i].material.young, Ej = p[j].material.young;
+    return 20.0 * Ei * Ej / (Ei + Ej) * body.across(i, j) * gap(i, j);
+  };
+  const auto joined = [&](int i, int j) { return body.across.size() && body.across(i, j) != 0.0f; };
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) {
+      if (!joined(i, j)) continue;
+      out.energy[i] += 0.25 * pull(i, j).dot(gap(i, j));
+      const double s = body.depth[i] / (body.depth[i] + body.depth[j]);
+      const double stretch = bond ? 1.0 + p[i].thermal : 1.0;
+      PK[i] -= s * stretch / p[i].volume * pull(i, j) * (p[j].X - p[i].X).transpose() *
+          inverse_of[i] ;
+    }
+
   const double h = viscosity.smoothing_length;
   for (int i = 0; i < n; i++) {
     Vector<D> f = Vector<D>::Zero();
@@ -106,6 +161,12 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
         t += rho * pressure * X.norm() / viscosity.kappa * x / r;
       }
       t *= body.W(i, j);
+      f += t;
+      virial -= 0.25 * (x * t.transpose() + t * x.transpose());
+    }
+    for (int j = 0; j < n; j++) {
+      if (!joined(i, j)) continue;
+      const Vector<D> x = p[j].X + p[j].u - p[i].X - p[i].u, t = pull(i, j);
       f += t;
       virial -= 0.25 * (x * t.transpose() + t * x.transpose());
     }

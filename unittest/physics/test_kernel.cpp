@@ -71,6 +71,20 @@ TEST_P(Kernels, slope_of_kernel)
   }
 }
 
+// the kernel: its integral is 1, its slope is -w R, it vanishes from the support on
+TEST_P(Kernels, value)
+{
+  const auto W = [&](double R) { return kernel_value(kernel, dimension, R, delta); };
+  EXPECT_NEAR(integral(W), 1.0, 1.0e-14);    // exact quadrature of the polynomials
+  const double step = 1.0e-4 * h, scale = w(0.3 * h) * h;
+  for (int k = 1; k < 200; k++) {
+    const double R = delta * k / 200.0;
+    EXPECT_NEAR(w(R) * R, -(W(R + step) - W(R - step)) / (2.0 * step), 1.0e-6 * scale);
+  }
+  EXPECT_EQ(W(delta), 0.0);
+  EXPECT_EQ(W(1.5 * delta), 0.0);
+}
+
 TEST_P(Kernels, support)
 {
   for (double R : {delta, 1.0001 * delta, 10.0 * delta}) EXPECT_EQ(w(R), 0.0);

@@ -7,6 +7,7 @@
 ------------------------------------------------------------------------- */
 
 #include "double_loop.h"
+#include "tmsph_dilatation.h"
 
 #include <filesystem>
 #include <fstream>
@@ -79,6 +80,7 @@ struct Scene {
   Kernel kernel = Kernel::WENDLAND;
   Plane plane = Plane::STRAIN;
   double horizon = 0.0, hourglass = 0.1;
+  Dilatation dilatation = Dilatation::AUTO;
 
   explicit Scene(const Words &style)    // tmsph horizon keyword value ...
   {
@@ -98,6 +100,10 @@ struct Scene {
         strain = value == "strain";
       else if (word == "hourglass")
         hourglass = std::stod(value);
+      else if (word == "dilatation")
+        dilatation = value == "plain" ? Dilatation::PLAIN
+            : value == "averaged"     ? Dilatation::AVERAGED
+                                      : Dilatation::AUTO;
       else if (word == "viscosity") {
         viscosity.alpha1 = std::stod(value);
         viscosity.alpha2 = std::stod(style.at(k++ + 2));
@@ -105,6 +111,7 @@ struct Scene {
       } else
         ADD_FAILURE() << "unknown keyword " << word;
     }
+    if (on.law == Law::ALMANSI || plane == Plane::STRESS) dilatation = Dilatation::PLAIN;
     on.thermal = strain ? ThermalStrain::CONSTITUTIVE : ThermalStrain::BOND;
     on.hourglass = hourglass > 0.0;
     viscosity.smoothing_length = horizon / support_in_smoothing_lengths(kernel);
@@ -166,6 +173,9 @@ template <int D> void check(const std::map<std::string, Lines> &yaml, const std:
       p.density = m.density;
       p.material = m.elastic;
       p.thermal = m.elastic.expansion * (atom.at(4) - m.reference);
+      p.type = (int) atom.at(1);
+      p.averaged = scene.dilatation == Dilatation::AVERAGED ||
+          (scene.dilatation == Dilatation::AUTO && m.elastic.poisson > 0.4);
       body.p.push_back(p);
       type.push_back((int) atom.at(1));
     }
@@ -190,6 +200,8 @@ template <int D> void check(const std::map<std::string, Lines> &yaml, const std:
                        {std::stod(cut[5]), std::stod(cut[6])});
       });
   EXPECT_EQ(gone > 0, !bonded || cut != command.end());
+
+  body.average(scene.kernel, scene.viscosity.kappa);
 
   // accuracy: round-off, which the tester's epsilon is meant to allow, too
   const auto compare = [&](const std::string &when, const Answer<D> &exact, double tolerance) {

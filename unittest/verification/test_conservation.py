@@ -9,12 +9,13 @@ from tmsph_testing import *
 
 SPACING = 1e-3
 MATERIALS = [material(40e9, 0.3, 2700, 1.5e-5), material(10e9, 0.2, 2000, -3e-5)]
+SOFT = [material(40e9, 0.49, 2700, 1.5e-5), material(10e9, 0.45, 2000, -3e-5)]
 CLOUDS = {"2-D": ("square", (16, 14)), "3-D": ("sc", (8, 7, 6))}
 OPTIONS = ["", "hourglass 0", "thermal strain", "law almansi", "kernel cubic", "kernel quintic",
            "plane stress"]
 
 
-def disturbed(dimension, options, viscous):
+def disturbed(dimension, options, viscous, materials):
     name, cells = CLOUDS[dimension]
     cloud = lattice(name, cells, SPACING).jitter(0.2, 3)
     cloud.type[np.random.default_rng(4).random(len(cloud)) < 0.4] = 2
@@ -22,7 +23,7 @@ def disturbed(dimension, options, viscous):
     d = cloud.dimension
     random = np.random.default_rng(7)
     positions = cloud.X + 0.1 * SPACING * random.uniform(-1, 1, cloud.X.shape)
-    scene = Scene(cloud, MATERIALS, options + (" viscosity 1 2" if viscous else ""))
+    scene = Scene(cloud, materials, options + (" viscosity 1 2" if viscous else ""))
     scene.add("run 0").move(positions)
     scene.set("temperature", random.uniform(0, 3000, len(cloud)))
     if viscous:
@@ -31,15 +32,16 @@ def disturbed(dimension, options, viscous):
     return frame("x y z"), frame("fx fy fz")
 
 
-def check(report, dimension, options, viscous=False):
-    x, f = disturbed(dimension, options, viscous)
+def check(report, dimension, options, viscous=False, materials=MATERIALS):
+    x, f = disturbed(dimension, options, viscous, materials)
     r = x - x.mean(axis=0)
     torque = np.cross(r, f)
     size = np.linalg.norm(f, axis=1)
     lever = np.linalg.norm(r, axis=1)
     what = f"{dimension} {options or 'default'}{', viscous' if viscous else ''}"
+    what += ", nearly incompressible" if materials is SOFT else ""
     if viscous:
-        share = np.abs(f - disturbed(dimension, options, False)[1]).max() / size.max()
+        share = np.abs(f - disturbed(dimension, options, False, materials)[1]).max() / size.max()
         report.above(f"{what}: viscous forces/all", share, 0.01)
     force = np.linalg.norm([fsum(f[:, k]) for k in range(3)]) / fsum(size)
     moment = np.linalg.norm([fsum(torque[:, k]) for k in range(3)]) / fsum(size * lever)
@@ -53,4 +55,6 @@ for dimension in CLOUDS:
         if dimension == "2-D" or "plane" not in options:
             check(report, dimension, options)
     check(report, dimension, "", viscous=True)
+    for options in ("", "thermal strain"):
+        check(report, dimension, options, viscous=True, materials=SOFT)
 report.finish()

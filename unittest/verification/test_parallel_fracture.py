@@ -7,6 +7,7 @@ from tmsph_testing import *
 
 SPACING = 1e-3
 ROCKS = [material(40e9, 0.3, 2700, 1.5e-5), material(20e9, 0.2, 2700, 1e-5)]
+SOFT = [material(40e9, 0.45, 2700, 1.5e-5), material(20e9, 0.42, 2700, 1e-5)]
 STATE = "x y z vx vy vz fx fy fz c_t c_p[*]"
 STRESSES = "sxx syy szz sxy sxz syz"
 
@@ -14,10 +15,13 @@ STRESSES = "sxx syy szz sxy sxz syz"
 class Body:
     """A heated ball, in the plane or in space, around a core that expands more."""
 
-    def __init__(self, dimension, friction=None):
-        self.friction = friction
+    def __init__(self, dimension, friction=None, rocks=ROCKS):
+        self.friction, self.rocks = friction, rocks
         two = dimension == 2
         self.radius, self.steps, self.heat = (25, 1400, 200) if two else (6.6, 300, 900)
+        if rocks is SOFT:
+            self.radius, self.steps = 18, 1800
+        self.speed = 4465 if rocks is ROCKS else 7496    # of longitudinal waves
         n = 2 * int(self.radius) + 2
         cells = (n, n // 2 + n % 2 + 2) if two else (n,) * 3
         whole = lattice("hex" if two else "sc", cells, SPACING, centre=True)
@@ -42,12 +46,12 @@ class Body:
             "fix hb all tmsph/hoekbrown strength 1 150e6 strength 2 120e6 mi * 8 weibull * 10 4711\n"
             "compute t all tmsph/property/atom temperature\n"
             f"compute p all tmsph/property/atom {STRESSES} load strength nbond nbroken ncut damage\n"
-            f"timestep {0.35 * SPACING / 4465:.17g}\n"
+            f"timestep {0.35 * SPACING / self.speed:.17g}\n"
             f"{contact}variable touching equal {touching}\n"
             "thermo_style custom step temp f_hb v_touching\nthermo 100\n" + more)
 
     def start(self, more=""):
-        scene = Scene(self.cloud, ROCKS, self.pair).add(f"tmsph/cut all {self.cut}")
+        scene = Scene(self.cloud, self.rocks, self.pair).add(f"tmsph/cut all {self.cut}")
         return self.fixes(scene, more)
 
     def ending(self, scene, runs):
@@ -69,8 +73,8 @@ def same(run, reference):
     return differ + np.count_nonzero(~(events[0] == late))
 
 
-def compare(report, dimension, friction=None):
-    body = Body(dimension, friction)
+def compare(report, dimension, friction=None, rocks=ROCKS):
+    body = Body(dimension, friction, rocks)
     n = body.steps
     parts = [n // 4, n // 3, n - n // 4 - n // 3]
     balance = "comm_style tiled\nfix lb all balance 40 0.95 rcb\n"
@@ -78,6 +82,7 @@ def compare(report, dimension, friction=None):
     broken, contacts = reference.thermo("f_hb"), reference.thermo("v_touching")
     state = reference.frame("end")
     what = f"{dimension}-D, {'friction' if friction else 'repulsion'}"
+    what += ", nearly incompressible" if rocks is SOFT else ""
     report.above(f"{what}: bonds broken", broken[-1], 100)
     report.above(f"{what}: bonds cut", state["c_p[11]"].sum() / 2, 20)
     report.above(f"{what}: contacts, most", contacts.max(), 0)
@@ -141,6 +146,7 @@ def renumbered(report, ranks):
 report = Report()
 compare(report, 2)
 compare(report, 2, friction=0.3)
+compare(report, 2, friction=0.3, rocks=SOFT)
 compare(report, 3)
 compare(report, 3, friction=0.3)
 for ranks in (1, 2):
