@@ -7,51 +7,7 @@ over sigma_r and sigma_theta; radii are those of equal area. The order counts fr
 1 to 0.5 mm: at 2 mm the layer of one horizon at the interface reaches into the
 far field."""
 
-from tmsph_testing import *
-
-INCLUSION, RADIUS, TEMPERATURE = 0.015, 0.050, 1.0
-FAR = 0.006    # from interface and rim
-
-
-class Disc:
-    def __init__(self, plane, swapped, spacing):
-        cells = (2 * int(RADIUS / spacing) + 4, 2 * int(RADIUS / spacing / 3**0.5) + 4)
-        cloud = lattice("hex", cells, spacing, centre=True)
-        cloud.X += [0.25 * spacing, 0.25 * 3**0.5 * spacing]    # a particle in the centre
-        self.cloud = cloud = cloud.kept(lambda X: np.linalg.norm(X, axis=1) <= RADIUS)
-        inside = np.linalg.norm(cloud.X, axis=1) <= INCLUSION
-        cloud.type[~inside] = 2
-        self.V = V = cloud.volume
-        self.a, self.R = (V[inside].sum() / np.pi) ** 0.5, (V.sum() / np.pi) ** 0.5
-        pair = disc_materials(swapped)
-        self.p = contact_pressure(pair, plane, self.a, self.R, TEMPERATURE)
-        scene = Scene(cloud, pair, f"plane {plane}")
-        scene.thermo("step fnorm").add("compute p all tmsph/property/atom sxx syy sxy\nrun 0\n"
-                                       f"set group all temperature {TEMPERATURE}")
-        scene.minimize(1e-5 * abs(self.p) * spacing).snapshot("d", "c_p[*]")
-        run = scene.run()
-        self.steps = int(run.thermo("Step")[-1])
-        self.residual = run.thermo("Fnorm")[-1] / len(cloud) ** 0.5 / (abs(self.p) * spacing)
-        self.evaluate(*run.frame("d")("c_p[1] c_p[2] c_p[3]").T, inside)
-
-    def evaluate(self, sxx, syy, sxy, inside):
-        x, y = self.cloud.X.T
-        r = np.hypot(x, y)
-        c, s = np.divide([x, y], r, out=np.stack([np.ones_like(x), np.zeros_like(x)]), where=r > 0)
-        radial = c * c * sxx + s * s * syy + 2 * c * s * sxy
-        hoop = s * s * sxx + c * c * syy - 2 * c * s * sxy
-        exact_radial, exact_hoop = disc_polar_stress(self.p, self.a, self.R, r, inside)
-        square = 0.5 * ((radial - exact_radial) ** 2 + (hoop - exact_hoop) ** 2) / self.p**2
-
-        def norm(chosen):
-            return (np.sum((self.V * square)[chosen]) / np.sum(self.V[chosen])) ** 0.5
-
-        self.error = norm(r > -1)
-        self.far = norm((np.abs(r - self.a) > FAR) & (r < self.R - FAR))
-        ring = ~inside & (r < self.a + self.cloud.spacing)
-        self.ring_hoop = np.sum(hoop[ring]) / np.sum(exact_hoop[ring])
-        core = r < self.a - FAR
-        self.core = -np.mean(0.5 * (sxx + syy)[core]) / self.p
+from scenes.disc import *
 
 
 def describe(report, what, disc, judged):

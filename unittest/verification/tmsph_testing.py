@@ -3,6 +3,7 @@
 its output, and reporting measured values against their bars."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -152,16 +153,16 @@ class Script:
 class Scene(Script):
     """A script that starts with the head that all tests of a cloud need."""
 
-    def __init__(self, cloud, materials, pair="", temperature=0.0):
+    def __init__(self, cloud, materials, pair="", temperature=0.0, horizon=HORIZON):
         d = cloud.dimension
         boundary = " ".join("p" if axis in cloud.periodic or k >= d else "s"
                             for k, axis in enumerate("xyz"))
         self.cloud = cloud
         self.files = {"cloud.data": cloud.data(temperature)}
         self.lines = ["units si", f"dimension {d}", f"boundary {boundary}", "atom_style tmsph",
-                      "comm_modify cutoff " + f"{2 * HORIZON * cloud.spacing:.6g}",
+                      "comm_modify cutoff " + f"{2 * horizon * cloud.spacing:.6g}",
                       "read_data cloud.data",
-                      f"pair_style tmsph {HORIZON * cloud.spacing:.17g} {pair}"]
+                      f"pair_style tmsph {horizon * cloud.spacing:.17g} {pair}"]
         for k, m in enumerate(materials, 1):
             self.lines.append(f"pair_coeff {k} {k} elastic {m['young']:.17g} {m['poisson']:.17g} "
                               f"density {m['density']:.17g} expansion {m['expansion']:.17g}")
@@ -195,7 +196,8 @@ class Scene(Script):
 
 class Run:
     """One run of lmp: its thermodynamic output, its dumps (*.dump of particles, *.local of
-    rows) and the files to keep. What it said is log; status is negative after a signal."""
+    rows), the files to keep and its cost. What it said is log; status is negative after a
+    signal."""
 
     def __init__(self, scene, ranks, may_fail, keep=""):
         folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
@@ -215,10 +217,14 @@ class Run:
                                    OMPI_MCA_rmaps_base_oversubscribe="1",
                                    OMPI_MCA_hwloc_base_binding_policy="none",
                                    OMPI_MCA_mpi_yield_when_idle="1")
-            done = subprocess.run(command, cwd=folder, env=environment, text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            self.log, self.status = done.stdout, done.returncode
-            self.failed = done.returncode != 0
+            with open(folder / "said", "w") as said:
+                process = subprocess.Popen(command, cwd=folder, env=environment, stdout=said,
+                                           stderr=subprocess.STDOUT)
+                _, status, usage = os.wait4(process.pid, 0)
+            self.status = process.returncode = os.waitstatus_to_exitcode(status)
+            self.log = (folder / "said").read_text()
+            self.failed = self.status != 0
+            self.cost = Cost(self.log, ranks, usage.ru_maxrss * 1024)
             if self.failed and not may_fail:
                 raise RuntimeError("lmp stopped:\n" + self.log[-3000:])
             self.tables = read_thermo(self.log)
@@ -234,6 +240,24 @@ class Run:
 
     def frame(self, dump, which=-1):
         return self.dumps[dump][which]
+
+
+class Cost:
+    """What a run of lmp took, from its log, all run and minimize commands together: seconds of
+    the loops and their steps, particles, and largest resident memory of a process in bytes.
+    Seconds are those of the processor on one rank, and of the clock on several, as ranks
+    that wait are busy."""
+
+    def __init__(self, log, ranks, resident):
+        loops = re.findall(r"^Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms"
+                           r"(?:(?!^Loop time)[\s\S])*?^([\d.]+)% CPU use", log, re.M)
+        self.ranks, self.resident = ranks, resident
+        self.steps = sum(int(steps) for _, steps, _, _ in loops)
+        self.wall = sum(float(wall) for wall, steps, _, _ in loops if int(steps))
+        self.seconds = self.wall if ranks > 1 else sum(
+            float(wall) * min(1.0, float(share) / 100)
+            for wall, steps, _, share in loops if int(steps))
+        self.particles = int(loops[-1][2]) if loops else 0
 
 
 def read_thermo(log):
@@ -318,6 +342,12 @@ class Report:
     def finish(self):
         print(f"     time: {time.monotonic() - self.start:.1f} s")
         sys.exit(1 if self.failures else 0)
+
+
+def sampled_frequency(q, interval):
+    """Of a cosine from samples at equal intervals: q_(m+1) + q_(m-1) = 2 cos(omega dt) q_m."""
+    cosine = np.dot(q[2:] + q[:-2], q[1:-1]) / (2 * np.dot(q[1:-1], q[1:-1]))
+    return np.arccos(cosine) / interval
 
 
 def order(errors, refinement=2.0):
