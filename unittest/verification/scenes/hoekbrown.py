@@ -80,7 +80,6 @@ class Block:
 
     def run(self):
         run = self.scene.add("write_dump all local events.local f_hb[*]").run()
-        self.cost = run.cost
         self.bonds = np.stack(list(run.frame("bonds").values()), axis=1)[:, :2].astype(int)
         self.strength = run.frame("s")["c_s[4]"]
         events = np.stack(list(run.frame("events").values()), axis=1)[:, :2].astype(int)
@@ -89,17 +88,20 @@ class Block:
 
 
 class Loading:
-    """A state taken up to 1.2 times the criterion in equal steps. error: how far the load at
-    which the bonds break is off; factor_error: that of the load factor at the first step."""
+    """A state taken past the criterion in equal steps, the last half a step beyond it. error is
+    how far the load at which the bonds break is off; with factor, that of the load factor
+    after the first step."""
 
-    def __init__(self, direction, steps):
-        factor = critical(direction, constants(100, 0), STRENGTH)
+    def __init__(self, direction, steps, factor=False):
+        limit = critical(direction, constants(100, 0), STRENGTH)
         block = Block(len(direction), f"strength * {STRENGTH} mi * {MI} gsi * 100")
-        shares = 1.2 * (np.arange(steps) + 1) / steps
-        for share in shares:
-            block.load(share * factor * np.array(direction))
+        shares = (np.arange(steps) + 1) / (steps - 0.5)
+        for share in shares[: 1 if factor else steps]:
+            block.load(share * limit * np.array(direction))
         run = block.run()
-        self.cost = block.cost
-        broken = [run.thermo("f_hb", k + 1)[-1] for k in range(steps)]
-        self.error = shares[np.argmax(np.array(broken) > 0)] - 1
-        self.factor_error = abs(run.thermo("f_hb[4]", 1)[-1] / shares[0] - 1)
+        self.cost = run.cost
+        if factor:
+            self.error = run.thermo("f_hb[4]", 1)[-1] / shares[0] - 1
+        else:
+            broken = np.array([run.thermo("f_hb", k + 1)[-1] for k in range(steps)])
+            self.error = shares[np.argmax(broken > 0)] - 1 if broken.any() else np.inf
