@@ -22,11 +22,12 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "unittest" / "verification")]
 
-from reporting import accuracy
+from reporting import accuracy, costs, index, peers
 from reporting.measure import Progress, Store
 from reporting.studies import studies
 
 REPORT = ROOT / "doc" / "report"
+DATA, IMAGES = REPORT / "data", REPORT / "images"
 
 
 def cache():
@@ -46,39 +47,65 @@ def options():
     return parser.parse_args()
 
 
+def measure(option, chosen, counts, lmp):
+    """Takes the measurements and writes the tables of those that were chosen."""
+    store = Store(option.results, lmp)
+    total = sum(len(list(accuracy.cases(study, option.full))) for study in chosen)
+    progress = Progress(total)
+    for study in chosen:
+        rows = accuracy.measure(study, store, option.full, progress)
+        accuracy.write_table(DATA / f"{study.name}.csv", rows)
+    if counts:
+        rows = costs.measure(store, lmp, option.full, progress)
+        if "instructions" in counts:
+            costs.add_instructions(store, rows, progress)
+        elif (DATA / "costs.csv").exists():
+            costs.keep_instructions(rows, costs.read_table(DATA / "costs.csv"))
+        costs.write_table(DATA / "costs.csv", rows)
+
+
+def write_pages(groups):
+    """From the tables in the data folder."""
+    for page, studies_of_page in groups:
+        measured = []
+        for study in studies_of_page:
+            path = DATA / f"{study.name}.csv"
+            if path.exists():
+                rows = accuracy.read_table(path)
+                measured.append((study, rows))
+                accuracy.picture(study, rows, IMAGES)
+        if measured:
+            name = page.__module__.split(".")[-1]
+            (REPORT / f"{name}.md").write_text(page(measured))
+    if (DATA / "costs.csv").exists():
+        (REPORT / "costs.md").write_text(costs.page(costs.read_table(DATA / "costs.csv")))
+    (REPORT / "README.md").write_text(index.page(REPORT))
+
+
 def main():
     option = options()
-    everything = studies()
-    names = [study.name for study in everything]
+    groups = [(accuracy.page, studies()), (peers.page, peers.peer_studies())]
+    everything = [study for _, group in groups for study in group]
+    names = [study.name for study in everything] + ["costs", "instructions"]
     if option.list:
         print("\n".join(names))
         return
     for name in option.only or []:
         if name not in names:
             sys.exit(f"There is no study '{name}': ./tmsph report --list prints their names")
-    lmp = os.environ.get("TMSPH_LMP") or subprocess.check_output(
-        [ROOT / "tmsph", "where"], text=True).strip()
-    os.environ["TMSPH_LMP"] = lmp
-    os.environ.setdefault("TMSPH_MPIRUN", shutil.which("mpirun") or "")
-    for folder in ("data", "images"):
-        (REPORT / folder).mkdir(parents=True, exist_ok=True)
-
+    DATA.mkdir(parents=True, exist_ok=True)
+    IMAGES.mkdir(exist_ok=True)
     if not option.pages:
-        chosen = [study for study in everything if not option.only or study.name in option.only]
-        store = Store(option.results, lmp)
-        progress = Progress(sum(len(list(accuracy.cases(study, option.full))) for study in chosen))
-        for study in chosen:
-            rows = accuracy.measure(study, store, option.full, progress)
-            accuracy.write_table(REPORT / "data" / f"{study.name}.csv", rows)
-
-    measured = []
-    for study in everything:
-        path = REPORT / "data" / f"{study.name}.csv"
-        if path.exists():
-            rows = accuracy.read_table(path)
-            measured.append((study, rows))
-            accuracy.picture(study, rows, REPORT / "images")
-    (REPORT / "accuracy.md").write_text(accuracy.page(measured))
+        lmp = os.environ.get("TMSPH_LMP") or subprocess.check_output(
+            [ROOT / "tmsph", "where"], text=True).strip()
+        os.environ["TMSPH_LMP"] = lmp
+        os.environ.setdefault("TMSPH_MPIRUN", shutil.which("mpirun") or "")
+        wanted = option.only or names
+        counts = {"costs", "instructions"} & set(wanted)
+        if not option.only and not (option.full and costs.can_count()):
+            counts.discard("instructions")    # they need another build
+        measure(option, [study for study in everything if study.name in wanted], counts, lmp)
+    write_pages(groups)
 
 
 if __name__ == "__main__":

@@ -7,10 +7,16 @@ import time
 
 from . import plots
 from .measure import middle, rounds_for, source_of
-from .studies import DEFAULT, JUDGED
+from .studies import JUDGED
 
 COLUMNS = ["choice", "size", "h", "error", "seconds", "scatter", "rounds", "steps", "particles",
-           "memory_MB", "ranks", "commit", "date", "machine"]
+           "memory_MB", "ranks", "message", "commit", "date", "machine"]
+
+
+def name_of(h, size):
+    """A number of particles or steps, or else the size itself."""
+    first = next(iter(size.values()))
+    return first if isinstance(first, int) else f"{h:g}"
 
 
 def cases(study, full):
@@ -36,8 +42,8 @@ def measure(study, store, full, progress):
     everything = list(cases(study, full))
     depends = source_of(study.scene)
     results = [[] for _ in everything]
-    for number in range(5 if full else 3):
-        for k, (label, _, size, parameters) in enumerate(everything):
+    for number in range(5):
+        for k, (label, *sizes, parameters) in enumerate(everything):
             done = results[k]
             if done and ("stopped" in done[0] or
                          number >= rounds_for(done[0]["seconds"], full)):
@@ -47,14 +53,14 @@ def measure(study, store, full, progress):
             done.append(store.get(study.name, what, depends, number,
                                   lambda: run(study, parameters)))
             if number == 0:
-                progress.tell(f"{study.name}, {label}, {next(iter(size.values()))}",
+                progress.tell(f"{study.name}, {label}, {name_of(*sizes)}",
                               time.monotonic() - start)
     rows = []
     for (label, h, size, _), done in zip(everything, results):
-        row = dict(choice=label, size=next(iter(size.values())), h=h, rounds=len(done),
+        row = dict(choice=label, size=name_of(h, size), h=h, rounds=len(done),
                    commit=done[0]["commit"], date=done[0]["date"], machine=done[0]["machine"])
         if "stopped" in done[0]:
-            row["error"] = "stopped"
+            row.update(error="stopped", message=done[0]["stopped"])
         else:
             seconds = [result["seconds"] for result in done]
             row.update(error=done[0]["error"], seconds=middle(seconds),
@@ -77,7 +83,7 @@ def write_table(path, rows):
 
 
 def read_table(path):
-    numbers = set(COLUMNS) - {"choice", "size", "commit", "date", "machine"}
+    numbers = set(COLUMNS) - {"choice", "size", "message", "commit", "date", "machine"}
     with open(path, newline="") as file:
         return [{key: float(value) if key in numbers and value not in ("", "stopped") else value
                  for key, value in row.items()} for row in csv.DictReader(file)]
@@ -114,15 +120,15 @@ def time_to(rows, target):
     return None
 
 
-def against_front(rows):
+def against_front(study, rows):
     """How many times longer the default takes than the fastest of the choices that have a
     default in the package, to the error that the default has at its finest but one size; and
     which choice that is."""
-    default = of(rows, DEFAULT)
+    default = of(rows, study.default)
     if len(default) < 2:
         return None
     here = default[-2]
-    best, which = here["seconds"], DEFAULT
+    best, which = here["seconds"], study.default
     for label in labels(rows):
         if not label.startswith(JUDGED):
             continue
@@ -148,9 +154,9 @@ def table(head, rows):
 
 
 def summary_row(study, rows):
-    default = of(rows, DEFAULT)
+    default = of(rows, study.default)
     finest = default[-1]
-    ratio = against_front(rows)
+    ratio = against_front(study, rows)
     order = "exact" if study.exact else number(observed_order(default))
     front = ""
     if ratio:
@@ -170,16 +176,16 @@ def section(study, rows):
     body = []
     for label in labels(rows):
         runs = of(rows, label)
-        stopped = [row for row in rows if row["choice"] == label and row["error"] == "stopped"]
+        tried = [row for row in rows if row["choice"] == label]
         if not runs:
-            body.append([label, "stops", "", "", "", "", ""])
+            body.append([label, "", "stops", "", "", "", ""])
             continue
         last = runs[-1]
-        order = "" if study.exact and label == DEFAULT else number(observed_order(runs))
-        body.append([label + (" (stops at the other sizes)" if stopped else ""), order,
+        order = "" if study.exact and label == study.default else number(observed_order(runs))
+        body.append([label + ("" if len(runs) == len(tried) else f" (runs at {len(runs)} of {len(tried)} sizes)"), order,
                      f"{last['error']:.2g}", seconds(last["seconds"]), f"{last['steps']:.0f}",
                      f"{last['memory_MB']:.0f}", seconds(time_to(runs, study.target))])
-    finest = of(rows, DEFAULT)[-1]["size"]
+    finest = of(rows, study.default)[-1]["size"]
     lines.append(table([f"choice, at {study.size_name} {finest}", "order", study.error_name,
                         "run time", "steps", "memory, MB", f"time to {study.target_text()}"],
                        body))
@@ -195,10 +201,9 @@ def section(study, rows):
 def picture(study, rows, folder):
     curves = {label: [(row["seconds"], max(row["error"], 1e-16)) for row in of(rows, label)]
               for label in labels(rows) if of(rows, label)}
-    note = "; 2 ranks: of the clock" if any(row["ranks"] == 2 for row in rows
-                                            if row["error"] != "stopped") else ""
+    note = " (2 ranks: of each)" if any(row["ranks"] == 2 for row in rows) else ""
     plots.error_against_time(folder / f"{study.name}.png", study.title, curves, study.error_name,
-                             DEFAULT, study.target, note)
+                             study.default, study.target, note)
 
 
 INTRODUCTION = """\

@@ -117,7 +117,7 @@ def rounds_for(seconds, full):
     """How often a run of that length is repeated: short ones scatter more."""
     if full:
         return 5 if seconds < 5 else 3
-    return 3 if seconds < 0.5 else 2 if seconds < 2 else 1
+    return 5 if seconds < 0.05 else 3 if seconds < 0.3 else 2 if seconds < 1 else 1
 
 
 def middle(values):

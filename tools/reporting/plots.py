@@ -34,7 +34,7 @@ def error_against_time(path, title, curves, error_name, default, mark=None, note
                 ms=4.5, lw=1.1, label=label, zorder=2)
     if default in curves:
         ax.plot(*zip(*curves[default]), color="k", marker="o", ms=7, lw=2.2, zorder=3,
-                label="default" if default == "default" else default)
+                label=default)
     ax.set_xscale("log")
     ax.set_yscale("log")
     if mark:

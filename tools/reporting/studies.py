@@ -36,6 +36,10 @@ class Study:
     dimension: int = 2
     target: float = 0.01    # error to which the time is given
 
+    @property
+    def default(self):
+        return next(iter(self.choices))
+
     def target_text(self):
         return f"{100 * self.target:g} %" if self.target > 1e-4 else f"{self.target:g}"
 
@@ -86,12 +90,12 @@ def waves():
                 "error of the wave's speed", {"d": 2, **common}, sizes(8, 16, 32, 64, 128),
                 "particles per wave", choices, sizes(256), MORE_HORIZONS)
     yield Study("wave3d", "P wave, 3-D", text.format("3-D"), StandingWave, error,
-                "error of the wave's speed", {"d": 3, **common}, sizes(8, 16, 32, 64),
-                "particles per wave", choices, sizes(128), MORE_HORIZONS, dimension=3)
+                "error of the wave's speed", {"d": 3, **common}, sizes(8, 16, 32),
+                "particles per wave", choices, sizes(64, 128), MORE_HORIZONS, dimension=3)
     yield Study("shear3d", "S wave, 3-D", text.format("3-D").replace("P wave of", "S wave of"),
                 StandingWave, error, "error of the wave's speed",
-                {**common, "d": 3, "polarization": 1}, sizes(8, 16, 32, 64), "particles per wave",
-                {DEFAULT: {}, **KERNELS, **HORIZONS, **hourglass(0, 0.3)}, sizes(128),
+                {**common, "d": 3, "polarization": 1}, sizes(8, 16, 32), "particles per wave",
+                {DEFAULT: {}, **KERNELS, **HORIZONS, **hourglass(0, 0.3)}, sizes(64, 128),
                 MORE_HORIZONS, dimension=3)
 
 
@@ -140,8 +144,8 @@ def heated():
     def numbers(*values):
         return [(1 / n, {"n": n}) for n in values]
     yield Study("clamped2d", "Clamped heating that varies, 2-D", text.format("plane stress"), Wavy,
-                error, "L2 error of the stress", {"plane": "plane stress"}, numbers(10, 20, 40, 80),
-                "particles per wave", choices, numbers(160), MORE_HORIZONS)
+                error, "L2 error of the stress", {"plane": "plane stress"}, numbers(20, 40, 80, 160),
+                "particles per wave", choices, numbers(320), MORE_HORIZONS)
     yield Study("clamped3d", "Clamped heating that varies, 3-D", text.format("3-D"), Wavy, error,
                 "L2 error of the stress", {"plane": "3-D"}, numbers(10, 20, 40),
                 "particles per wave", choices, numbers(80), {}, dimension=3)

@@ -245,8 +245,8 @@ class Run:
 class Cost:
     """What a run of lmp took, from its log, all run and minimize commands together: seconds of
     the loops and their steps, particles, and the memory of all ranks in bytes by LAMMPS's own
-    count. Seconds are those of the processor on one rank, and of the clock on several, as
-    ranks that wait are busy."""
+    count. Seconds are those of a processor: on several ranks of one of them, which is busy
+    while it waits."""
 
     def __init__(self, log, ranks):
         loops = re.findall(r"^Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms"
@@ -254,15 +254,14 @@ class Cost:
         memory = re.findall(r"memory allocation \(min/avg/max\) = \S+ \| (\S+) \|", log)
         self.ranks, self.memory = ranks, float(memory[-1]) * 2**20 * ranks if memory else 0.0
         self.steps = sum(int(steps) for _, steps, _, _ in loops)
-        self.wall = sum(float(wall) for wall, steps, _, _ in loops if int(steps))
-        self.seconds = sum(self._busy(float(wall), float(share) / 100, ranks)
+        self.seconds = sum(self._busy(float(wall), float(share) / 100)
                            for wall, steps, _, share in loops if int(steps))
         self.particles = int(loops[-1][2]) if loops else 0
 
     @staticmethod
-    def _busy(wall, share, ranks):
+    def _busy(wall, share):
         """The system counts the time of a processor too coarsely for short loops."""
-        return wall if ranks > 1 or wall < 0.02 else wall * min(1.0, share)
+        return wall if wall < 0.02 else wall * min(1.0, share)
 
 
 def read_thermo(log):
