@@ -17,6 +17,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -30,11 +31,6 @@ REPORT = ROOT / "doc" / "report"
 DATA, IMAGES = REPORT / "data", REPORT / "images"
 
 
-def cache():
-    base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
-    return os.path.join(base, "tmsph", "report")
-
-
 def options():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -42,8 +38,9 @@ def options():
     parser.add_argument("--only", nargs="+", metavar="NAME", help="only these studies")
     parser.add_argument("--list", action="store_true", help="print the names of the studies")
     parser.add_argument("--pages", action="store_true", help="only make plots and pages from the data")
-    parser.add_argument("--results", default=cache(), metavar="FOLDER",
-                        help="where finished measurements are kept (%(default)s)")
+    parser.add_argument("--results", default=os.path.join(tempfile.gettempdir(), "tmsph-report"),
+                        metavar="FOLDER", help="where finished measurements are kept (%(default)s; "
+                                               "./tmsph report: in its cache)")
     return parser.parse_args()
 
 

@@ -5,6 +5,8 @@ import csv
 import math
 import time
 
+from speed import table
+
 from . import plots
 from .measure import middle, rounds_for, source_of
 from .studies import JUDGED
@@ -148,11 +150,6 @@ def seconds(value):
     return f"{value:.2g} s" if value >= 0.1 else f"{1e3 * value:.2g} ms"
 
 
-def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "| --- |" + " --: |" * (len(head) - 1)]
-    return "\n".join(lines + ["| " + " | ".join(str(c) for c in row) + " |" for row in rows])
-
-
 def summary_row(study, rows):
     default = of(rows, study.default)
     finest = default[-1]
@@ -182,7 +179,9 @@ def section(study, rows):
             continue
         last = runs[-1]
         order = "" if study.exact and label == study.default else number(observed_order(runs))
-        body.append([label + ("" if len(runs) == len(tried) else f" (runs at {len(runs)} of {len(tried)} sizes)"), order,
+        if len(runs) < len(tried):
+            label += f" (runs at {len(runs)} of {len(tried)} sizes)"
+        body.append([label, order,
                      f"{last['error']:.2g}", seconds(last["seconds"]), f"{last['steps']:.0f}",
                      f"{last['memory_MB']:.0f}", seconds(time_to(runs, study.target))])
     finest = of(rows, study.default)[-1]["size"]
@@ -190,8 +189,8 @@ def section(study, rows):
                         "run time", "steps", "memory, MB", f"time to {study.target_text()}"],
                        body))
     commits = "; ".join(dict.fromkeys(f"{row['commit']}, {row['date']}" for row in rows))
-    scatter = middle([row["scatter"] for row in rows if row["error"] != "stopped" and row["rounds"] > 1]
-                     or [0.0])
+    repeated = [row["scatter"] for row in rows if row["error"] != "stopped" and row["rounds"] > 1]
+    scatter = middle(repeated or [0.0])
     lines.append(f"`./tmsph report --only {study.name}`, commit {commits}; "
                  f"[data](data/{study.name}.csv). Repeated run times differ by "
                  f"{100 * scatter:.0f} % (median of largest less smallest).")

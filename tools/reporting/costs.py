@@ -13,8 +13,10 @@ from pathlib import Path
 
 import speed
 
-from .accuracy import table
-from .measure import ROOT, digest, environment, middle
+from speed import environment, table
+from tmsph_testing import ALONE, Cost
+
+from .measure import ROOT, digest, middle
 
 INPUT = Path(speed.INPUTS) / "in.tmsph"
 BARE = {"options": "hourglass 0", "expansion": "0"}
@@ -51,14 +53,11 @@ def variables(body, feature, bodies):
 
 
 def run(lmp, body, feature):
-    dim, _, steps = BODIES[body]
     text, _ = speed.run(lmp, "tmsph", variables(body, feature, BODIES))
-    wall, n = re.findall(r"Loop time of (\S+) on \d+ procs for \d+ steps with (\d+) atoms", text)[-1]
-    share = float(re.findall(r"([\d.]+)% CPU use", text)[-1]) / 100
-    own = float(re.findall(r"memory allocation \(min/avg/max\) = \S+ \| (\S+) \|", text)[-1])
+    cost = Cost(text, 1)
     more = re.search(r"breaking with (\d+) doubles more", text)
-    return {"us": 1e6 * float(wall) * min(1.0, share) / int(n) / steps, "particles": int(n),
-            "bytes": own * 2**20 / int(n),
+    return {"us": 1e6 * cost.seconds / cost.particles / cost.steps, "particles": cost.particles,
+            "bytes": cost.memory / cost.particles,
             "doubles": int(re.search(r"(\d+) doubles sent per ghost", text)[1]),
             "breaking_doubles": int(more[1]) if more else 0}
 
@@ -102,8 +101,7 @@ def count(lmp, values):
                    INPUT, "-log", "none", "-screen", "none", "-var", "folder", speed.INPUTS]
         for key, value in values.items():
             command += ["-var", key, str(value)]
-        env = dict(environment(), OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_pml="ob1",
-                   OMPI_MCA_btl="self")
+        env = dict(environment(), **ALONE)
         done = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True)
         if done.returncode:
             raise RuntimeError(done.stderr[-2000:])
@@ -120,7 +118,7 @@ def instructions(lmp, body, feature):
     short, _ = count(lmp, values)
     long, foreign = count(lmp, dict(values, steps=2 * values["steps"]))
     text, _ = speed.run(lmp, "tmsph", values)
-    n = int(re.findall(r"steps with (\d+) atoms", text)[-1])
+    n = Cost(text, 1).particles
     return {"instructions": (long - short) / values["steps"] / n, "foreign": " ".join(foreign)}
 
 

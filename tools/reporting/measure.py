@@ -5,8 +5,6 @@ outside of the checkout, so that a report that was stopped goes on where it was.
 import hashlib
 import inspect
 import json
-import os
-import re
 import statistics
 import subprocess
 import sys
@@ -14,29 +12,13 @@ import time
 from datetime import date
 from pathlib import Path
 
+from speed import machine
+
 ROOT = Path(__file__).resolve().parents[2]
-
-
-def environment():
-    env = dict(os.environ, OMP_NUM_THREADS="1")
-    if os.geteuid() == 0:
-        env.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    return env
 
 
 def digest(*parts):
     return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()[:16]
-
-
-def machine(lmp):
-    """Processor, version of LAMMPS and compiler."""
-    text = subprocess.run([lmp, "-h"], capture_output=True, text=True, env=environment()).stdout
-    version = re.search(r"Simulator - (.*)", text)
-    compiler = re.search(r"Compiler: (.*?) with", text)
-    info = Path("/proc/cpuinfo")
-    cpu = re.search(r"model name\s*: (.*)", info.read_text()) if info.exists() else None
-    return ", ".join(head + m[1].strip()
-                     for head, m in (("", cpu), ("LAMMPS ", version), ("", compiler)) if m)
 
 
 def commit():

@@ -1,18 +1,14 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """The elastic scenes that other methods of LAMMPS can do too, from the inputs in tools/peers."""
 
-import os
-import subprocess
-import tempfile
 from pathlib import Path
 
 import numpy as np
 
 from scenes.beam import timoshenko
-from tmsph_testing import Cost, read_thermo, sampled_frequency
+from tmsph_testing import Script, sampled_frequency
 
 from .accuracy import of, seconds, section, table, time_to
-from .measure import environment
 from .studies import Study
 
 INPUTS = Path(__file__).resolve().parents[1] / "peers"
@@ -75,18 +71,9 @@ class Lammps:
     def __init__(self, name, method, dim, n, **variables):
         variables.update(folder=INPUTS, method=method, dim=dim, n=n,
                          courant=0.8 * LIMIT[dim][method])
-        command = [os.environ["TMSPH_LMP"], "-in", INPUTS / f"in.{name}", "-nocite", "-log", "none"]
-        for key, value in variables.items():
-            command += ["-var", key, str(value)]
-        env = dict(environment(), OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_pml="ob1",
-                   OMPI_MCA_btl="self")
-        with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run(command, cwd=folder, env=env, text=True, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT)
-        if done.returncode:
-            raise RuntimeError(done.stdout[-2000:])
-        self.cost = Cost(done.stdout, 1)
-        self.table = read_thermo(done.stdout)[-1]
+        head = "".join(f"variable {key} index {value}\n" for key, value in variables.items())
+        run = Script(head + f"include {INPUTS}/in.{name}").run()
+        self.cost, self.table = run.cost, run.tables[-1]
 
 
 class Vibration(Lammps):
@@ -98,7 +85,8 @@ class Vibration(Lammps):
         more = {"k": radial(dim)} if scene in ("disc", "ball") else {}
         super().__init__("vibration", method, dim, n, scene=scene, period=2 * np.pi / self.exact,
                          **more)
-        measured = sampled_frequency(self.table["c_q"], self.table["Time"][1] - self.table["Time"][0])
+        times = self.table["Time"]
+        measured = sampled_frequency(self.table["c_q"], times[1] - times[0])
         # radius of equal area or volume
         N = self.cost.particles
         size = {"disc": (N * 3**0.5 / 2 / np.pi) ** 0.5 / n,

@@ -162,8 +162,7 @@ def heated():
                     {"plane": plane, "jitter": 0.2, "mode": "bond", "size": 4 - d},
                     residuals(1e-2, 1e-4, 1e-6, 1e-8), "residual",
                     {DEFAULT: {}, "regular lattice": {"jitter": 0.0},
-                     "thermal strain": {"mode": "strain"}, **KERNELS, **hourglass(0.02, 0.3),
-                     **RANKS}, residuals(1e-10), exact=True, dimension=d, target=1e-6)
+                     "thermal strain": {"mode": "strain"}, **KERNELS, **hourglass(0.02, 0.3)}, residuals(1e-10), exact=True, dimension=d, target=1e-6)
 
 
 def deformed():
@@ -176,7 +175,7 @@ def deformed():
     def error(body):
         return abs(body.error)
     choices = {DEFAULT: {}, **KERNELS, **HORIZONS, **hourglass(0, 0.02, 0.3, 1),
-               **viscosity((1, 2)), **courant(0.25, 1), **RANKS}
+               **viscosity((1, 2)), **courant(0.25, 1)}
     yield Study("beam", "Bending beam, plane strain", text.format("plane strain"), Beam, error,
                 "error of the period", {"plane": "strain"}, rows(4, 6, 8, 12),
                 "rows across the height", choices, rows(16, 24),

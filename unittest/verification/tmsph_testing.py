@@ -15,6 +15,10 @@ import numpy as np
 
 HORIZON = 3.015    # in particle spacings, as in the documentation
 
+# Open MPI starts in a fifth of the time if it looks for nobody to talk to
+
+ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self"}
+
 # Cells of the lattices by name: edge lengths and basis, in spacings
 
 LATTICES = {
@@ -217,9 +221,8 @@ class Run:
                                    OMPI_MCA_rmaps_base_oversubscribe="1",
                                    OMPI_MCA_hwloc_base_binding_policy="none",
                                    OMPI_MCA_mpi_yield_when_idle="1")
-            else:    # Open MPI starts in a fifth of the time if it looks for nobody to talk to
-                environment.update(OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_pml="ob1",
-                                   OMPI_MCA_btl="self")
+            else:
+                environment.update(ALONE)
             done = subprocess.run(command, cwd=folder, env=environment, text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             self.log, self.status = done.stdout, done.returncode
