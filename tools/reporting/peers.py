@@ -17,10 +17,10 @@ PLANE_YOUNG, PLANE_POISSON = YOUNG / (1 - POISSON**2), POISSON / (1 - POISSON)
 WAVE = 1.2**0.5     # speed of P waves
 SLENDER = 10        # length of bar and beam over their height
 
-# The largest stable time step of each method in its scenes, in spacings/WAVE, found by trying;
-# each runs with 0.8 of its own.
-LIMIT = {2: {"tmsph": 1.5, "tlsph": 1.0, "pmb": 1.0, "bpm": 1.0},
-         3: {"tmsph": 1.2, "tlsph": 1.0, "pmb": 1.0, "lps": 1.0, "bpm": 1.0}}
+# The largest stable time step of each method in its scenes, in spacings/WAVE: found by trying, for
+# central forces from the dispersion of the lattices. Each runs with 0.8 of its own.
+LIMIT = {2: {"tmsph": 1.5, "tlsph": 1.05, "pmb": 1.9, "bpm": 2.2},
+         3: {"tmsph": 1.4, "tlsph": 1.0, "pmb": 1.9, "lps": 1.5, "bpm": 2.05}}
 NAMES = {"tmsph": "tmsph", "tlsph": "smd/tlsph", "pmb": "peri/pmb", "lps": "peri/lps",
          "bpm": "bpm/spring"}
 
@@ -146,8 +146,8 @@ the same particles and the same horizon of 3.015 spacings; inputs in `tools/peer
 ratio is 1/4, the only one of bonds with central forces, whose stiffness is set so that the
 inside of a body has the right moduli. tmsph runs with its defaults, smd/tlsph with its usual
 hourglass control of 10 and without viscosity, peri and bpm without breaking. Each method takes
-0.8 of the largest time step that is stable in its scene, found by trying{limits}. peri/lps is a
-3-D model: it has no plane strain."""
+0.8 of the largest time step that is stable in its scenes{limits}: found by trying, for peri/pmb
+and bpm from the dispersion of their lattices. peri/lps is a 3-D model: it has no plane strain."""
 
 
 def limits():
