@@ -61,28 +61,33 @@ def measure(option, chosen, counts, lmp):
         costs.write_table(DATA / "costs.csv", rows)
 
 
-def write_pages(groups):
-    """From the tables in the data folder."""
-    for page, studies_of_page in groups:
-        measured = []
-        for study in studies_of_page:
-            path = DATA / f"{study.name}.csv"
-            if path.exists():
-                rows = accuracy.read_table(path)
-                measured.append((study, rows))
-                accuracy.picture(study, rows, IMAGES)
-        if measured:
-            name = page.__module__.split(".")[-1]
-            (REPORT / f"{name}.md").write_text(page(measured))
+def measured(group):
+    """The studies of a group that have a table, with its rows."""
+    tables = ((study, DATA / f"{study.name}.csv") for study in group)
+    return [(study, accuracy.read_table(path)) for study, path in tables if path.exists()]
+
+
+def pages(groups):
+    """Text of the pages by name, from the tables in the data folder."""
+    texts = {}
+    for name, (page, group) in groups.items():
+        pairs = measured(group)
+        if pairs:
+            texts[name] = page(pairs)
     if (DATA / "costs.csv").exists():
-        (REPORT / "costs.md").write_text(costs.page(costs.read_table(DATA / "costs.csv")))
-    (REPORT / "README.md").write_text(index.page(REPORT))
+        texts["costs.md"] = costs.page(costs.read_table(DATA / "costs.csv"))
+    texts["README.md"] = index.page(REPORT)
+    return texts
+
+
+def all_groups():
+    return {"accuracy.md": (accuracy.page, studies()), "peers.md": (peers.page, peers.peer_studies())}
 
 
 def main():
     option = options()
-    groups = [(accuracy.page, studies()), (peers.page, peers.peer_studies())]
-    everything = [study for _, group in groups for study in group]
+    groups = all_groups()
+    everything = [study for _, group in groups.values() for study in group]
     names = [study.name for study in everything] + ["costs", "instructions"]
     if option.list:
         print("\n".join(names))
@@ -102,7 +107,11 @@ def main():
         if not option.only and not (option.full and costs.can_count()):
             counts.discard("instructions")    # they need another build
         measure(option, [study for study in everything if study.name in wanted], counts, lmp)
-    write_pages(groups)
+    for study, rows in measured(everything):
+        accuracy.picture(study, rows, IMAGES)
+    for _ in range(2):    # the index names the pages that are there
+        for name, text in pages(groups).items():
+            (REPORT / name).write_text(text)
 
 
 if __name__ == "__main__":

@@ -122,22 +122,40 @@ def time_to(rows, target):
     return None
 
 
-def against_front(study, rows):
-    """How many times longer the default takes than the fastest of the choices that have a
-    default in the package, to the error that the default has at its finest but one size; and
-    which choice that is."""
+def relative_time(study, rows, label):
+    """Time of a choice to the error that the default has at its finest but one size, over that
+    of the default; None if the choice does not reach it or was not tried."""
     default = of(rows, study.default)
     if len(default) < 2:
         return None
     here = default[-2]
-    best, which = here["seconds"], study.default
+    needed = time_to(of(rows, label), here["error"])
+    return needed and needed / here["seconds"]
+
+
+def against_front(study, rows):
+    """How many times longer the default takes than the fastest of the choices that have a
+    default in the package, and which choice that is."""
+    best, which = 1.0, study.default
     for label in labels(rows):
-        if not label.startswith(JUDGED):
-            continue
-        needed = time_to(of(rows, label), here["error"])
-        if needed and needed < best:
-            best, which = needed, label
-    return here["seconds"] / best, which
+        ratio = relative_time(study, rows, label) if label.startswith(JUDGED) else None
+        if ratio and ratio < best:
+            best, which = ratio, label
+    return 1 / best, which
+
+
+def comparison(measured):
+    """All options in all scenes."""
+    options = [label for label in dict.fromkeys(label for _, rows in measured for label in labels(rows))
+               if label.startswith(JUDGED)]
+    body = []
+    for study, rows in measured:
+        tried = set(labels(rows))
+        cells = [(number(relative_time(study, rows, label)) or "-") if label in tried else ""
+                 for label in options]
+        if any(cells):
+            body.append([study.title] + cells)
+    return table(["scene"] + options, body)
 
 
 def number(value, digits=2):
@@ -155,9 +173,7 @@ def summary_row(study, rows):
     finest = default[-1]
     ratio = against_front(study, rows)
     order = "exact" if study.exact else number(observed_order(default))
-    front = ""
-    if ratio:
-        front = "yes" if ratio[0] < 1.1 else f"no: {ratio[1]} is {ratio[0]:.1f} times faster"
+    front = "yes" if ratio[0] < 1.1 else f"no: {ratio[1]} is {ratio[0]:.1f} times faster"
     return [f"[{study.title}](#{anchor(study.title)})", f"{study.dimension}-D", order,
             f"{finest['error']:.2g}", f"{finest['particles']:.0f}", seconds(finest["seconds"]),
             seconds(time_to(default, study.target)) + f" to {study.target_text()}", front]
@@ -217,6 +233,12 @@ law and no viscosity reaches the error of the default at its finest but one size
 1/1.1 of its time. Where an error passes through zero, the order means nothing."""
 
 
+COMPARISON = """\
+Run time to the error that the default has at its finest but one size, over the run time of the
+default: below 1 is faster than the default; - does not reach that error at the sizes that were
+run."""
+
+
 def page(measured):
     """measured: pairs of a study and its rows."""
     head = ["scene", "", "order", "error at the finest size", "particles", "run time",
@@ -224,5 +246,5 @@ def page(measured):
     rows = [summary_row(study, rows) for study, rows in measured]
     machines = "; ".join(dict.fromkeys(row["machine"] for _, rows in measured for row in rows))
     parts = ["# Error against run time", INTRODUCTION, f"Machine: {machines}.", "## Summary",
-             table(head, rows)]
+             table(head, rows), "## Every option in every scene", COMPARISON, comparison(measured)]
     return "\n\n".join(parts + [section(study, rows) for study, rows in measured]) + "\n"
