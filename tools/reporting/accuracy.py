@@ -48,7 +48,7 @@ def measure(study, store, full, progress):
         for k, (label, *sizes, parameters) in enumerate(everything):
             done = results[k]
             if done and ("stopped" in done[0] or
-                         number >= rounds_for(done[0]["seconds"], full)):
+                         number >= rounds_for(done[0], full)):
                 continue
             start = time.monotonic()
             what = {"study": study.name, **parameters}

@@ -95,11 +95,14 @@ class Progress:
               file=sys.stderr, flush=True)
 
 
-def rounds_for(seconds, full):
-    """How often a run of that length is repeated: short ones scatter more."""
+def rounds_for(result, full):
+    """How often a run is repeated: short ones scatter more."""
+    seconds = result["seconds"]
     if full:
         return 5 if seconds < 5 else 3
-    return 5 if seconds < 0.05 else 3 if seconds < 0.3 else 2 if seconds < 1 else 1
+    if result["ranks"] > 1:
+        return 1
+    return 3 if seconds < 0.1 else 2 if seconds < 1 else 1
 
 
 def middle(values):

@@ -4,7 +4,9 @@ several choices of method. A scene is a class of unittest/verification/scenes; w
 made with has .cost afterwards and the errors that the study names."""
 
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 
+from .measure import ROOT
 from scenes.beam import Beam
 from scenes.clamped import Wavy
 from scenes.disc import Disc
@@ -52,13 +54,17 @@ class Study:
 
 DEFAULT = "default"
 # the options that have a default in the package; others belong to the user and the scene
-JUDGED = ("kernel", "horizon", "hourglass", "thermal", "viscosity", "no viscosity", "law")
+JUDGED = ("kernel", "horizon", "hourglass", "thermal", "viscosity", "no viscosity", "law",
+          "subcycle")
 KERNELS = {"kernel cubic": {"options": "kernel cubic"},
            "kernel quintic": {"options": "kernel quintic"}}
 HORIZONS = {"horizon 2.5 dx": {"horizon": 2.515}, "horizon 4 dx": {"horizon": 4.015}}
 MORE_HORIZONS = {"horizon 2 dx": {"horizon": 2.015}, "horizon 3.5 dx": {"horizon": 3.515},
                  "horizon 5 dx": {"horizon": 5.015}}
 RANKS = {"2 ranks": {"ranks": 2}}
+QUASISTATIC = {}
+if (ROOT / "src/TMSPH/min_tmsph_lbfgs.h").exists():
+    QUASISTATIC["min_style tmsph/lbfgs"] = {"style": "tmsph/lbfgs"}
 
 
 def hourglass(*values):
@@ -83,12 +89,13 @@ def waves():
 
     def sizes(*numbers):
         return [(1 / n, {"n": n}) for n in numbers]
+    long = {key: value for key, value in choices.items() if key not in RANKS}
 
     def error(wave):
         return abs(wave.speed_error())
     yield Study("wave2d", "P wave, 2-D", text.format("plane strain"), StandingWave, error,
                 "error of the wave's speed", {"d": 2, **common}, sizes(8, 16, 32, 64, 128),
-                "particles per wave", choices, sizes(256), MORE_HORIZONS)
+                "particles per wave", long, sizes(256), {**MORE_HORIZONS, **RANKS})
     yield Study("wave3d", "P wave, 3-D", text.format("3-D"), StandingWave, error,
                 "error of the wave's speed", {"d": 3, **common}, sizes(8, 16, 32),
                 "particles per wave", choices, sizes(64, 128), MORE_HORIZONS, dimension=3)
@@ -108,7 +115,7 @@ def heated():
             "stress over the area, over p, against Lame's solution. Nearly all of it sits within "
             "a horizon of the interface, where the exact stress jumps.")
     choices = {DEFAULT: {}, **KERNELS, **HORIZONS, **hourglass(0.02, 0.3, 1),
-               "thermal strain": {"options": "thermal strain"}, **loose, **RANKS}
+               "thermal strain": {"options": "thermal strain"}, **loose, **QUASISTATIC, **RANKS}
 
     def spacings(*values):
         return [(dx, {"spacing": dx * 1e-3}) for dx in values]
@@ -133,7 +140,7 @@ def heated():
                 Ball, error, "L2 error of the stress/p", {}, spacings(6.25, 5, 3.57),
                 "spacing, mm",
                 {DEFAULT: {}, **KERNELS, "horizon 2.5 dx": {"horizon": 2.515}, **hourglass(0.02, 0.3),
-                 "thermal strain": {"options": "thermal strain"}, **loose, **RANKS},
+                 "thermal strain": {"options": "thermal strain"}, **loose, **QUASISTATIC, **RANKS},
                 spacings(2.5), {"horizon 4 dx": {"horizon": 4.015}}, dimension=3, target=0.03)
     text = ("A block, periodic in all directions, is heated by 1 + cos(2 pi x/L), {}. Root mean "
             "square error of the stresses along and across x over the amplitude of the latter.")
@@ -262,5 +269,44 @@ def touching():
                     steps(128), dimension=d)
 
 
+def conducting():
+    if find_spec("heat_scenes") is None:    # a package without fix tmsph/heat
+        return
+    from scenes.conduction import ConductingDisc, ConductingSlab
+    text = {"Dirichlet": "A slab, cold at first, both ends suddenly at 1",
+            "Neumann": "A slab, insulated on one side, takes unit flux on the other",
+            "Robin": "A warm slab, insulated on one side, cools by convection on the other, Biot "
+                     "number 2"}
+    rest = " ({}). Root mean square error of the temperature against the series solution. The default is " \
+           "RKL2, in 100 steps; explicit steps are 0.7 of the stable one. The body is held still."
+
+    def numbers(*values):
+        return [(1 / n, {"n": n}) for n in values]
+    choices = {DEFAULT: {}, "subcycle explicit": {"words": "subcycle explicit"},
+               "25 steps": {"steps": 25}, "400 steps": {"steps": 400}, "hexagonal": {"name": "hex"},
+               "displaced": {"jitter": 0.2}}
+    for case, start in text.items():
+        yield Study(f"slab_{case.lower()}", f"Conducting slab, {case}", start + rest.format("2-D"),
+                    ConductingSlab, lambda body: body.error, "L2 error of the temperature",
+                    {"case": case}, numbers(10, 20, 40, 80), "particles across", choices,
+                    numbers(160))
+    yield Study("slab3d", "Conducting slab, Dirichlet, 3-D", text["Dirichlet"] + rest.format("3-D"),
+                ConductingSlab, lambda body: body.error, "L2 error of the temperature",
+                {"case": "Dirichlet"}, numbers(10, 20, 40), "particles across",
+                {DEFAULT: {"name": "sc"},
+                 "subcycle explicit": {"name": "sc", "words": "subcycle explicit"}}, numbers(80),
+                dimension=3)
+    rims = {"Dirichlet": "is suddenly at 1", "Robin": "takes heat by convection, Biot number 2"}
+    for case in rims:
+        yield Study(f"conduction_{case.lower()}", f"Conducting disc, {case}",
+                    f"A cold disc whose rim {rims[case]}. Root mean square error of the "
+                    "temperature against the Bessel series.",
+                    ConductingDisc, lambda body: body.error, "L2 error of the temperature",
+                    {"case": case}, numbers(14, 20, 28, 40), "particles along the radius",
+                    {DEFAULT: {}, "subcycle explicit": {"words": "subcycle explicit"},
+                     "10 steps": {"steps": 10}, "160 steps": {"steps": 160},
+                     "square lattice": {"name": "square"}}, numbers(57, 80))
+
+
 def studies():
-    return [*waves(), *heated(), *deformed(), *touching()]
+    return [*waves(), *heated(), *deformed(), *touching(), *conducting()]

@@ -190,10 +190,10 @@ class Scene(Script):
         """Takes the particles to new positions: deformation, once the bonds have formed."""
         return self.set("x y z"[: 2 * self.cloud.dimension - 1], positions)
 
-    def minimize(self, residual, iterations=20000):
+    def minimize(self, residual, iterations=20000, style="cg"):
         """Conjugate gradients down to a root mean square force on a particle."""
         norm = residual * len(self.cloud) ** 0.5
-        self.add(f"min_style cg\nmin_modify line forcezero dmax {0.01 * self.cloud.spacing:.6g}\n"
+        self.add(f"min_style {style}\nmin_modify line forcezero dmax {0.01 * self.cloud.spacing:.6g}\n"
                  f"minimize 0 {norm:.6g} {iterations} {10 * iterations}")
         return self
 

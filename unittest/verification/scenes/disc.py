@@ -11,7 +11,7 @@ FAR = 0.006    # from interface and rim
 
 class Disc:
     def __init__(self, plane, swapped, spacing, options="", horizon=HORIZON, ranks=1,
-                 residual=1e-5):
+                 residual=1e-5, style="cg"):
         cells = (2 * int(RADIUS / spacing) + 4, 2 * int(RADIUS / spacing / 3**0.5) + 4)
         cloud = lattice("hex", cells, spacing, centre=True)
         cloud.X += [0.25 * spacing, 0.25 * 3**0.5 * spacing]    # a particle in the centre
@@ -25,7 +25,7 @@ class Disc:
         scene = Scene(cloud, pair, f"plane {plane} {options}", horizon=horizon)
         scene.thermo("step fnorm").add("compute p all tmsph/property/atom sxx syy sxy\nrun 0\n"
                                        f"set group all temperature {TEMPERATURE}")
-        scene.minimize(residual * abs(self.p) * spacing).snapshot("d", "c_p[*]")
+        scene.minimize(residual * abs(self.p) * spacing, style=style).snapshot("d", "c_p[*]")
         run = scene.run(ranks)
         self.cost = run.cost
         self.steps = int(run.thermo("Step")[-1])

@@ -17,7 +17,7 @@ def contact_pressure(a, R):
 
 
 class Ball:
-    def __init__(self, spacing, options="", horizon=HORIZON, ranks=1, residual=1e-5):
+    def __init__(self, spacing, options="", horizon=HORIZON, ranks=1, residual=1e-5, style="cg"):
         n = 2 * int(np.ceil(RADIUS / spacing)) + 1    # odd: a particle in the centre
         cloud = lattice("sc", (n, n, n), spacing, centre=True)
         cloud = cloud.kept(lambda X: np.linalg.norm(X, axis=1) <= RADIUS)
@@ -30,7 +30,7 @@ class Ball:
         scene = Scene(cloud, [INNER, OUTER], options, horizon=horizon)
         scene.add("compute p all tmsph/property/atom sxx syy szz sxy sxz syz")
         scene.thermo("step fnorm").add(f"run 0\nset group all temperature {TEMPERATURE}")
-        scene.minimize(residual * p * spacing**2).snapshot("d", "c_p[*]")
+        scene.minimize(residual * p * spacing**2, style=style).snapshot("d", "c_p[*]")
         run = scene.run(ranks)
         self.cost = run.cost
         self.n, self.steps = len(cloud), int(run.thermo("Step")[-1])
