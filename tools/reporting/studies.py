@@ -6,7 +6,6 @@ made with has .cost afterwards and the errors that the study names."""
 from dataclasses import dataclass, field
 from importlib.util import find_spec
 
-from .measure import ROOT
 from scenes.beam import Beam
 from scenes.clamped import Wavy
 from scenes.disc import Disc
@@ -18,6 +17,8 @@ from scenes.slide import Slide
 from scenes.sphere import Ball
 from scenes.stacked import Stacked
 from scenes.waves import StandingWave
+
+from .measure import ROOT
 
 
 @dataclass
