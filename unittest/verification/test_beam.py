@@ -4,81 +4,16 @@ Timoshenko's beam, in plane strain and plane stress, with refinement. The beam
 theory itself is good to 1e-3 here. Free surfaces make the error of first order
 at least."""
 
-from numpy.polynomial import legendre
-
-from tmsph_testing import *
-
-HEIGHT, SLENDER, VELOCITY = 0.01, 10, 1e-3
-ROCK = material()
-RHO = ROCK["density"]
-
-
-def timoshenko(young, poisson):
-    """Frequency and shape of the first mode, by Ritz's method with 16 Legendre polynomials for
-    the deflection w and the rotation phi, functions of s = 2 x/L."""
-    n, length = 16, SLENDER * HEIGHT
-    shear = young / (2 * (1 + poisson)) * 5 * (1 + poisson) / (6 + 5 * poisson)
-    s, weight = legendre.leggauss(2 * n)
-    value = legendre.legvander(s, n - 1)
-    slope = np.stack([legendre.legval(s, legendre.legder(row)) for row in np.eye(n)], axis=1)
-    slope *= 2 / length
-    weight = (weight * length / 2)[:, None]
-    zero = np.zeros_like(value)
-    strain, turn = np.hstack([slope, -value]), np.hstack([zero, slope])
-    deflection, rotation = np.hstack([value, zero]), np.hstack([zero, value])
-    area, inertia = HEIGHT, HEIGHT**3 / 12
-
-    def form(a, b, factor):
-        return factor * a.T @ (weight * b)
-
-    K = form(strain, strain, shear * area) + form(turn, turn, young * inertia)
-    M = form(deflection, deflection, RHO * area) + form(rotation, rotation, RHO * inertia)
-    L = np.linalg.inv(np.linalg.cholesky(M))
-    squares, vectors = np.linalg.eigh(L @ K @ L.T)
-    first = 2    # after two rigid motions
-    mode = L.T @ vectors[:, first]
-    return squares[first] ** 0.5, mode[:n], mode[n:]
-
-
-def euler_bernoulli(young):
-    length = SLENDER * HEIGHT
-    return (4.730040745 / length) ** 2 * (young * HEIGHT**2 / 12 / RHO) ** 0.5
-
-
-def measured(plane, rows, omega, deflection, rotation, speed):
-    spacing = HEIGHT / rows
-    cloud = lattice("square", (SLENDER * rows, rows), spacing, centre=True)
-    s = 2 * cloud.X[:, 0] / (SLENDER * HEIGHT)
-    shape = np.stack([-cloud.X[:, 1] * legendre.legval(s, rotation),
-                      legendre.legval(s, deflection)], axis=1)
-    shape /= np.abs(shape).max()
-    scene = Scene(cloud, [ROCK], f"plane {plane}").set("vx vy", VELOCITY * shape)
-    # 24 samples a period, over two periods
-    every = int(np.ceil(2 * np.pi / omega / 24 / (0.5 * spacing / speed)))
-    dt = 2 * np.pi / omega / 24 / every
-    scene.add(f"compute p all tmsph/property/atom ux uy\nfix 1 all nve\ntimestep {dt:.17g}\nrun 0")
-    for axis, column in zip("xy", shape.T):
-        scene.files[f"shape.{axis}"] = f"\n{len(cloud)}\n" + "".join(
-            f"{i + 1} {v:.17g}\n" for i, v in enumerate(column))
-        scene.add(f"variable s{axis} atomfile shape.{axis}")
-    scene.add("variable q atom c_p[1]*v_sx+c_p[2]*v_sy\ncompute q all reduce sum v_q")
-    q = scene.thermo("step c_q", every).add(f"run {48 * every}").run().thermo("c_q")
-    cosine = np.dot(q[2:] + q[:-2], q[1:-1]) / (2 * np.dot(q[1:-1], q[1:-1]))
-    return np.arccos(cosine) / (every * dt)
+from scenes.beam import *
 
 
 def check(report, plane):
-    E, nu = ROCK["young"], ROCK["poisson"]
-    if plane == "strain":
-        E, nu = E / (1 - nu**2), nu / (1 - nu)
-    omega, deflection, rotation = timoshenko(E, nu)
-    report.note(f"plane {plane}: Euler-Bernoulli/Timoshenko", f"{euler_bernoulli(E) / omega:.5f}")
-    speed = (E / (1 - nu**2) / RHO) ** 0.5
     errors = []
     for rows in (6, 12, 24):
-        ratio = omega / measured(plane, rows, omega, deflection, rotation, speed)
-        errors.append(ratio - 1)
+        beam = Beam(plane, rows)
+        errors.append(beam.error)
         report.note(f"plane {plane}, {rows} rows: error of the period", f"{errors[-1]:.5f}")
+    report.note(f"plane {plane}: Euler-Bernoulli/Timoshenko", f"{beam.slender:.5f}")
     report.below(f"plane {plane}: error of the period at 24 rows", abs(errors[-1]), 0.01)
     report.above(f"plane {plane}: order", order(errors)[-1], 1.0)
 

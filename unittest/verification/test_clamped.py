@@ -4,50 +4,9 @@ pressure that LAMMPS gets from the virial: clamped and half-clamped heating,
 and finite strain without heat. The lattice is regular, so every particle is in
 equilibrium where it stands and the values are exact up to round-off."""
 
-from tmsph_testing import *
+from scenes.clamped import *
 
-SPACING = 1e-3
-ROCK = material(40e9, 0.3, 2700, 1e-5)
-E, NU, ALPHA = ROCK["young"], ROCK["poisson"], ROCK["expansion"]
-G = E / (2 * (1 + NU))
-STATES = {"plane strain": ("hex", (10, 6), E * NU / ((1 + NU) * (1 - 2 * NU)), (1 + NU) * ALPHA),
-          "plane stress": ("hex", (10, 6), E * NU / (1 - NU**2), ALPHA),
-          "3-D": ("sc", (8, 8, 8), E * NU / ((1 + NU) * (1 - 2 * NU)), ALPHA)}
 SCATTER = 1e-7    # positions of 10 spacings rounded to 2^-53, over a strain of 1e-7, is 1e-8
-STRESSES = "sxx syy szz sxy sxz syz".split()
-
-
-class State:
-    """A homogeneous state of a block that is periodic in some directions, with
-    the rest of its surface free."""
-
-    def __init__(self, plane, periodic, T, stretch=None, options=""):
-        name, cells, self.lam, self.expansion = STATES[plane]
-        self.d = d = len(cells)
-        cloud = lattice(name, cells, SPACING, periodic)
-        self.V = cloud.volume.sum()
-        keyword = "" if plane == "3-D" else "plane " + plane.split()[1]
-        scene = Scene(cloud, [ROCK], f"{keyword} {options}").thermo("step pe press pxx pyy pzz vol")
-        scene.add(f"compute p all tmsph/property/atom {' '.join(STRESSES)}\nrun 0")
-        if stretch is not None and len(periodic) < d:
-            scene.move(cloud.X * stretch)    # x, the periodic direction, has stretch 1
-        elif stretch is not None:
-            box = " ".join(f"{axis} scale {s:.17g}" for axis, s in zip("xyz", stretch))
-            scene.add(f"change_box all {box} remap")
-        scene.add(f"set group all temperature {T:.17g}\nrun 0").snapshot("d", "fx fy fz c_p[*]")
-        run = scene.run()
-        frame = run.frame("d")
-        values = frame(" ".join(f"c_p[{k}]" for k in range(1, 7)))
-        self.stress = dict(zip(STRESSES, values.mean(axis=0)))
-        self.spread = np.ptp(values, axis=0).max()
-        self.force = np.abs(frame("fx fy fz")).max() / (E * SPACING ** (d - 1))
-        self.energy, self.pressure = run.thermo("PotEng")[0], run.thermo("Press")[0]
-        self.tensor = [run.thermo(p)[0] for p in ("Pxx", "Pyy", "Pzz")]
-        self.volume = run.thermo("Volume")[0]
-
-    def second_piola(self, strain):
-        """lambda tr(E) + 2 mu E of a diagonal strain; energy density is half S:E."""
-        return self.lam * np.sum(strain) + 2 * G * np.array(strain)
 
 
 def relative(value, exact):
@@ -118,8 +77,18 @@ def finite(report):
                 report.below(f"{what}: error of the stress", error, 1e-12)
 
 
+def wavy(report):
+    """Heating by 1 + cos(k x): of second order."""
+    for plane in STATES:
+        errors = [Wavy(plane, n).error for n in (20, 40)]
+        report.note(f"wavy heating, {plane}: error of the stress at 20, 40 particles",
+                    np.round(errors, 5))
+        report.within(f"wavy heating, {plane}: order", order(errors)[0], 1.9, 2.2)
+
+
 report = Report()
 blocked(report)
 half_blocked(report)
 finite(report)
+wavy(report)
 report.finish()

@@ -7,7 +7,7 @@ over sigma_r and sigma_theta; radii are those of equal area. The order counts fr
 1 to 0.5 mm: at 2 mm the layer of one horizon at the interface reaches into the
 far field."""
 
-from heated_disc import *
+from scenes.disc import *
 
 
 def describe(report, what, disc, judged):

@@ -5,7 +5,7 @@ a disc that spins and one under pressure; a heated disc of two materials (Lame).
 Required: stresses within 5 %. With the argument "one" or "two" the figures of
 doc/report/incompressible.md for so many materials are printed, without bars."""
 
-from heated_disc import *
+from scenes.disc import *
 
 E0, STRAIN = 40e9, 1e-5
 SPACING = 1e-3

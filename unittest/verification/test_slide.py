@@ -5,41 +5,7 @@ force is exact. While it slides friction is mu times the normal force, and the n
 at small strain follows from Betti's theorem with the centre of pressure of the run,
 F = E' W d/(H - mu nu/(1 - nu) x). Neither depends on the time step."""
 
-from tmsph_testing import *
-
-ROOT = Path(__file__).resolve().parents[2]
-EDGE, MODULUS, POISSON, MU = 0.1, 1e7 / (1 - 0.2**2), 0.2, 0.3
-PUSH = 8e-3
-
-
-class Slide:
-    def __init__(self, **variables):
-        text = (ROOT / "examples/slide/in.slide").read_text()
-        head = "\n".join(f"variable {name} index {value}" for name, value in variables.items())
-        self.push = float(variables.get("push", PUSH))
-        run = Script(head + "\ninclude in.slide", {"in.slide": text}).run()
-        self.time, self.friction = run.thermo("Time"), run.thermo("f_below[1]")
-        self.normal, self.torque = -run.thermo("f_below[2]"), run.thermo("f_below[6]")
-        self.pressed = self.normal[np.argmin(abs(self.time - 1.04))]
-        self.slides = self.time > 1.7    # more than 2 mm after all particles have begun to
-
-    def exact(self):
-        stretch = 1 - self.push / EDGE
-        return MODULUS * EDGE * stretch * (1 - stretch**2) / 2
-
-    def noise(self):
-        f = self.friction[self.slides]
-        return f.std() / f.mean()
-
-    def ratio(self):
-        return abs(self.friction[self.slides] / self.normal[self.slides] - MU).max() / MU
-
-    def betti(self):
-        normal = self.normal[self.slides].mean()
-        centre = -self.torque[self.slides].mean() / normal
-        height = EDGE - MU * POISSON / (1 - POISSON) * centre
-        return normal / (MODULUS * EDGE * self.push / height)
-
+from scenes.slide import *
 
 report = Report()
 for n, bar in ((10, 0.02), (20, 0.01), (40, 0.005)):

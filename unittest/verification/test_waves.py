@@ -5,14 +5,10 @@ closed form, and with refinement approach that of the continuum in second order.
 The Wendland kernel is known to be 4.5 % slow at 16 particles per wavelength.
 With viscosity the wave's damping, too, must be that of the lattice."""
 
-from tmsph_testing import *
+from scenes.waves import *
 
-SPACING, STRAIN, HOURGLASS, VISCOSITY = 1e-3, 1e-6, 0.1, 0.7
+HOURGLASS, VISCOSITY = 0.1, 0.7
 H = 0.5 * HORIZON * SPACING    # Wendland's smoothing length
-ROCK = material()
-E, NU, RHO = ROCK["young"], ROCK["poisson"], ROCK["density"]
-SHEAR = E / (2 * (1 + NU))
-MODULUS = {0: E * (1 - NU) / ((1 + NU) * (1 - 2 * NU)), 1: SHEAR}    # by polarization
 
 
 def wendland_slope(R):
@@ -52,22 +48,8 @@ def lattice_damping(d, n, polarization):
 
 def measured(d, n, polarization, viscosity=0.0):
     """Frequency and damping from the amplitude over almost three periods."""
-    # 7 rows: numbers of particles that are no multiple of the eight that are treated at once
-    name, cells = ("square", (n, 7)) if d == 2 else ("sc", (n, 7, 7))
-    cloud = lattice(name, cells, SPACING, "xyz"[:d])
-    k = 2 * np.pi / (n * SPACING)
-    speed = (MODULUS[polarization] / RHO) ** 0.5
-    velocity = np.zeros_like(cloud.X)
-    velocity[:, polarization] = STRAIN * speed * np.sin(k * cloud.X[:, 0])
-    dt = 0.25 * SPACING / (MODULUS[0] / RHO) ** 0.5
-    steps = int(2.75 * n * SPACING / speed / dt)
-    axis = "xy"[polarization]
-    scene = Scene(cloud, [ROCK], f"hourglass {HOURGLASS} viscosity {viscosity} 0")
-    scene.set("vx vy vz"[: 3 * d - 1], velocity)
-    scene.add(f"compute p all tmsph/property/atom u{axis} x0\n"
-              f"variable q atom c_p[1]*sin({k:.17g}*c_p[2])\ncompute q all reduce sum v_q\n"
-              f"timestep {dt:.17g}\nfix 1 all nve\nrun 0")
-    q = scene.thermo("step c_q", 1).add(f"run {steps}").run().thermo("c_q")
+    wave = StandingWave(d, n, polarization, f"hourglass {HOURGLASS} viscosity {viscosity} 0")
+    q, dt = wave.q, wave.dt
     # a single mode of velocity Verlet, whose viscosity sees the velocity of half a step before,
     # obeys q_(m+1) - 2 q_m + q_(m-1) = -omega^2 dt^2 q_m - beta dt (q_m - q_(m-1)) exactly
     terms = np.stack([-q[1:-1] * dt**2, -(q[1:-1] - q[:-2]) * dt], axis=1)

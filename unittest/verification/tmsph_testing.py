@@ -3,6 +3,7 @@
 its output, and reporting measured values against their bars."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -13,6 +14,10 @@ from pathlib import Path
 import numpy as np
 
 HORIZON = 3.015    # in particle spacings, as in the documentation
+
+# Open MPI starts in a fifth of the time if it looks for nobody to talk to
+
+ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self"}
 
 # Cells of the lattices by name: edge lengths and basis, in spacings
 
@@ -152,16 +157,16 @@ class Script:
 class Scene(Script):
     """A script that starts with the head that all tests of a cloud need."""
 
-    def __init__(self, cloud, materials, pair="", temperature=0.0):
+    def __init__(self, cloud, materials, pair="", temperature=0.0, horizon=HORIZON):
         d = cloud.dimension
         boundary = " ".join("p" if axis in cloud.periodic or k >= d else "s"
                             for k, axis in enumerate("xyz"))
         self.cloud = cloud
         self.files = {"cloud.data": cloud.data(temperature)}
         self.lines = ["units si", f"dimension {d}", f"boundary {boundary}", "atom_style tmsph",
-                      "comm_modify cutoff " + f"{2 * HORIZON * cloud.spacing:.6g}",
+                      "comm_modify cutoff " + f"{2 * horizon * cloud.spacing:.6g}",
                       "read_data cloud.data",
-                      f"pair_style tmsph {HORIZON * cloud.spacing:.17g} {pair}"]
+                      f"pair_style tmsph {horizon * cloud.spacing:.17g} {pair}"]
         for k, m in enumerate(materials, 1):
             self.lines.append(f"pair_coeff {k} {k} elastic {m['young']:.17g} {m['poisson']:.17g} "
                               f"density {m['density']:.17g} expansion {m['expansion']:.17g}"
@@ -186,17 +191,18 @@ class Scene(Script):
         """Takes the particles to new positions: deformation, once the bonds have formed."""
         return self.set("x y z"[: 2 * self.cloud.dimension - 1], positions)
 
-    def minimize(self, residual, iterations=20000):
+    def minimize(self, residual, iterations=20000, style="cg"):
         """Conjugate gradients down to a root mean square force on a particle."""
         norm = residual * len(self.cloud) ** 0.5
-        self.add(f"min_style cg\nmin_modify line forcezero dmax {0.01 * self.cloud.spacing:.6g}\n"
+        self.add(f"min_style {style}\nmin_modify line forcezero dmax {0.01 * self.cloud.spacing:.6g}\n"
                  f"minimize 0 {norm:.6g} {iterations} {10 * iterations}")
         return self
 
 
 class Run:
     """One run of lmp: its thermodynamic output, its dumps (*.dump of particles, *.local of
-    rows) and the files to keep. What it said is log; status is negative after a signal."""
+    rows), the files to keep and its cost. What it said is log; status is negative after a
+    signal."""
 
     def __init__(self, scene, ranks, may_fail, keep=""):
         folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
@@ -216,10 +222,13 @@ class Run:
                                    OMPI_MCA_rmaps_base_oversubscribe="1",
                                    OMPI_MCA_hwloc_base_binding_policy="none",
                                    OMPI_MCA_mpi_yield_when_idle="1")
+            else:
+                environment.update(ALONE)
             done = subprocess.run(command, cwd=folder, env=environment, text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             self.log, self.status = done.stdout, done.returncode
             self.failed = done.returncode != 0
+            self.cost = Cost(self.log, ranks)
             if self.failed and not may_fail:
                 raise RuntimeError("lmp stopped:\n" + self.log[-3000:])
             self.tables = read_thermo(self.log)
@@ -235,6 +244,28 @@ class Run:
 
     def frame(self, dump, which=-1):
         return self.dumps[dump][which]
+
+
+class Cost:
+    """What a run of lmp took, from its log, all run and minimize commands together: seconds of
+    the loops and their steps, particles, and the memory of all ranks in bytes by LAMMPS's own
+    count. Seconds are those of a processor: on several ranks of one of them, which is busy
+    while it waits."""
+
+    def __init__(self, log, ranks):
+        loops = re.findall(r"^Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms"
+                           r"(?:(?!^Loop time)[\s\S])*?^([\d.]+)% CPU use", log, re.M)
+        memory = re.findall(r"memory allocation \(min/avg/max\) = \S+ \| (\S+) \|", log)
+        self.ranks, self.memory = ranks, float(memory[-1]) * 2**20 * ranks if memory else 0.0
+        self.steps = sum(int(steps) for _, steps, _, _ in loops)
+        self.seconds = sum(self._busy(float(wall), float(share) / 100)
+                           for wall, steps, _, share in loops if int(steps))
+        self.particles = int(loops[-1][2]) if loops else 0
+
+    @staticmethod
+    def _busy(wall, share):
+        """The system counts the time of a processor too coarsely for short loops."""
+        return wall if wall < 0.02 else wall * min(1.0, share)
 
 
 def read_thermo(log):
@@ -319,6 +350,12 @@ class Report:
     def finish(self):
         print(f"     time: {time.monotonic() - self.start:.1f} s")
         sys.exit(1 if self.failures else 0)
+
+
+def sampled_frequency(q, interval):
+    """Of a cosine from samples at equal intervals: q_(m+1) + q_(m-1) = 2 cos(omega dt) q_m."""
+    cosine = np.dot(q[2:] + q[:-2], q[1:-1]) / (2 * np.dot(q[1:-1], q[1:-1]))
+    return np.arccos(cosine) / interval
 
 
 def order(errors, refinement=2.0):

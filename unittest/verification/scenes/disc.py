@@ -1,6 +1,7 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""A heated disc with a circular inclusion in equilibrium, and its errors against
-the exact solution (Lame) in units of the contact pressure p."""
+"""Heated disc with a circular inclusion in equilibrium, against the exact solution (Lame).
+One degree, so that strains are linear. Errors are in units of the contact pressure p, root
+mean squares over area and over sigma_r and sigma_theta; radii are those of equal area."""
 
 from tmsph_testing import *
 
@@ -9,8 +10,12 @@ FAR = 0.006    # from interface and rim
 
 
 class Disc:
-    def __init__(self, plane, pair, spacing, residual=1e-5):
-        """residual: root mean square force on a particle in units of p times the spacing."""
+    """pair: materials of inclusion and matrix. residual: root mean square force on a particle in
+    units of p times the spacing. quasistatic: residual of tmsph/quasistatic, instead of
+    minimize."""
+
+    def __init__(self, plane, pair, spacing, options="", horizon=HORIZON, ranks=1,
+                 residual=1e-5, style="cg", quasistatic=None):
         cells = (2 * int(RADIUS / spacing) + 4, 2 * int(RADIUS / spacing / 3**0.5) + 4)
         cloud = lattice("hex", cells, spacing, centre=True)
         cloud.X += [0.25 * spacing, 0.25 * 3**0.5 * spacing]    # a particle in the centre
@@ -20,11 +25,18 @@ class Disc:
         self.V = V = cloud.volume
         self.a, self.R = (V[inside].sum() / np.pi) ** 0.5, (V.sum() / np.pi) ** 0.5
         self.p = contact_pressure(pair, plane, self.a, self.R, TEMPERATURE)
-        scene = Scene(cloud, pair, f"plane {plane}")
-        scene.thermo("step fnorm").add("compute p all tmsph/property/atom sxx syy sxy\nrun 0\n"
-                                       f"set group all temperature {TEMPERATURE}")
-        scene.minimize(residual * abs(self.p) * spacing).snapshot("d", "c_p[*]")
-        run = scene.run()
+        scene = Scene(cloud, pair, f"plane {plane} {options}", horizon=horizon)
+        scene.thermo("step fnorm").add("compute p all tmsph/property/atom sxx syy sxy")
+        if quasistatic:
+            scene.add(f"variable T equal {TEMPERATURE}*step/5\ntimestep 1.0\n"
+                      "fix heat all tmsph/heat/boundary temperature v_T\n"
+                      f"tmsph/quasistatic 5 change 0.2 residual {quasistatic}")
+        else:
+            scene.add(f"run 0\nset group all temperature {TEMPERATURE}")
+            scene.minimize(residual * abs(self.p) * spacing, style=style)
+        scene.snapshot("d", "c_p[*]")
+        run = scene.run(ranks)
+        self.cost = run.cost
         self.steps = int(run.thermo("Step")[-1])
         self.residual = run.thermo("Fnorm")[-1] / len(cloud) ** 0.5 / (abs(self.p) * spacing)
         self.evaluate(*run.frame("d")("c_p[1] c_p[2] c_p[3]").T, inside)

@@ -1,0 +1,38 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""The page that links the others."""
+
+PAGES = {
+    "accuracy.md": "Error against run time of scenes with exact solutions, for every option",
+    "peers.md": "The same against smd/tlsph, peri and bpm/spring on elastic scenes",
+    "costs.md": "What each feature costs: time, memory, communication, instructions",
+    "speed.md": "Speed and memory per particle and step against the same methods",
+    "contact.md": "Contact with friction: forces, bars, the disc with friction",
+}
+
+TEXT = """\
+# What was measured
+
+{pages}
+
+`./tmsph report` makes {made} and their plots from runs, in some 10 minutes on two quiet cores;
+`./tmsph report --full` takes more sizes, choices and repetitions, can be stopped and goes on where it
+was; `--only NAME` measures one study, `--list` prints their names, `--pages` only writes the pages
+anew from the data. Raw results are in [data](data), one row for each choice and size. Every figure
+has its command and the commit of the package. Errors are reproduced to the digits given; run times
+to the scatter stated, on the same machine.
+"""
+
+
+def page(folder):
+    there = {name: text for name, text in PAGES.items() if (folder / name).exists()}
+    known = set(there) | {"README.md"}
+    others = sorted(path.name for path in folder.glob("*.md") if path.name not in known)
+    lines = [f"| [{name[:-3]}]({name}) | {text} |" for name, text in there.items()]
+    lines += [f"| [{name[:-3]}]({name}) | {title(folder / name)} |" for name in others]
+    return TEXT.format(pages="\n".join(["| page | |", "| --- | --- |"] + lines),
+                       made="`accuracy.md`, `peers.md` and `costs.md`")
+
+
+def title(path):
+    """The heading of a page."""
+    return path.read_text().splitlines()[0].lstrip("# ")

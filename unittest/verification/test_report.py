@@ -1,0 +1,59 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""The report in doc/report: how it evaluates measurements, that its pages are those that its
+data give, and that all they link to is there."""
+
+import importlib.util
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+
+from reporting import accuracy, peers, plots
+from tmsph_testing import Report
+
+spec = importlib.util.spec_from_file_location("tmsph_report", ROOT / "tools" / "report.py")
+tool = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(tool)
+
+
+def made_up(choice, order, factor, exponent=3.0):
+    """Errors of some order in h, and times that grow with the number of particles."""
+    return [dict(choice=choice, h=h, error=h**order, seconds=factor * h**-exponent, ranks=1)
+            for h in (0.5, 0.25, 0.125, 0.0625)]
+
+
+def evaluation(report):
+    rows = made_up("tmsph", 2.0, 1.0) + made_up("slow", 2.0, 7.0) + made_up("crude", 1.0, 0.5)
+    mine = accuracy.of(rows, "tmsph")
+    report.within("observed order", accuracy.observed_order(mine), 2.0, 2.0)
+    # error h^2 = 0.01, time h^-3 = 1000
+    report.within("time to 1 %", accuracy.time_to(mine, 0.01), 1000 - 1e-6, 1000 + 1e-6)
+    report.true("time to what is not reached", accuracy.time_to(mine, 1e-9) is None, "none")
+    report.true("advantage over a method 7 times as slow",
+                peers.advantage(rows, "slow").startswith("7.0 "), "7.0")
+    # at the error 0.0625, which it reaches at h = 0.0625: 0.5 * 16^3 against 4^3
+    report.true("advantage over a method of first order",
+                peers.advantage(rows, "crude").startswith("32.0 "), "32.0")
+    stairs = plots.front([(1, 5), (2, 3), (3, 4), (4, 1), (0.5, 5)])
+    report.true("Pareto front", stairs == [(0.5, 5), (2, 3), (4, 1)], "as by hand")
+
+
+def published(report):
+    for name, text in tool.pages(tool.all_groups()).items():
+        path = tool.REPORT / name
+        report.true(f"{name} is what its data give", path.exists() and path.read_text() == text,
+                    "./tmsph report --pages")
+    for path in sorted(tool.REPORT.glob("*.md")):
+        gone = [target for target in re.findall(r"\]\(([^)#\s]+)\)", path.read_text())
+                if "://" not in target and not (tool.REPORT / target).exists()]
+        report.true(f"{path.name}: links lead somewhere", not gone, ", ".join(gone) or "all of them")
+    names = [study.name for _, group in tool.all_groups().values() for study in group]
+    report.true("names of studies differ", len(set(names)) == len(names), "by name")
+
+
+report = Report()
+evaluation(report)
+published(report)
+report.finish()
