@@ -396,6 +396,19 @@ float FixTMSPHBond::weight(int i, int j) const
 }
 
 /* ----------------------------------------------------------------------
+   In 2-D the volume is an area times the thickness, which tr K/D tells but for the
+   error of its sum: a thickness near 1 is 1.
+------------------------------------------------------------------------- */
+
+double FixTMSPHBond::spacing(int i) const
+{
+  static constexpr double NEAR_ONE = 1.5;
+  if (domain->dimension == 3) return std::cbrt(atom->vfrac[i]);
+  const bool one = kappa < NEAR_ONE && kappa > 1.0 / NEAR_ONE;
+  return std::sqrt(atom->vfrac[i] / (one ? 1.0 : kappa));
+}
+
+/* ----------------------------------------------------------------------
    tr K/D where a particle has all its neighbors
 ------------------------------------------------------------------------- */
 

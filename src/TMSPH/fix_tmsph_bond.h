@@ -76,6 +76,8 @@ class FixTMSPHBond : public Fix {
   int maxsize_restart() override;
 
   bool formed() const { return bonds_formed; }
+  /// horizon with which they formed
+  double reach() const { return horizon; }
   int count(int i) const { return npartner[i]; }
   /// bonds of local particle i when they formed
   int count_formed(int i) const;
@@ -117,6 +119,8 @@ class FixTMSPHBond : public Fix {
   float weight(int i, int j) const;
   /// tr K/D of the interior when the bonds formed
   double interior_kappa() const { return kappa; }
+  /// edge of the cell of a local or ghost particle, in 2-D in the plane
+  double spacing(int i) const;
 
  private:
   TMSPHBondUser *user;

@@ -163,7 +163,7 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
 
   // forces on the higher ends
 
-  std::vector<double> forces(pairings.size() * D);
+  std::vector<double> forces(pairings.size() * D), heats(pair->keeps_touches() ? pairings.size() : 0);
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
     const ContactState<D> &s = states[n];
@@ -176,6 +176,7 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
                                            moved, heat);
     if (p.copy && !std::equal(before, before + 2, moved)) std::copy_n(moved, 2, p.copy);
     totals[WORK] += p.copy ? heat : 0.5 * heat;
+    if (!heats.empty()) heats[n] = heat;
     totals[DEEPEST] = std::max(totals[DEEPEST], s.penetration);
     if (normal > 0.0 && p.low < atom->nlocal) {
       totals[TOUCHING] += 1.0;
@@ -217,7 +218,61 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     std::copy_n(memory.couple, 3, memory.couple_before);
     std::copy_n(couple, 3, memory.couple);
   }
+  if (pair->keeps_touches()) keep_touches<D>(states, forces, heats);
   if (search_due) search<D>(states);
+}
+
+/* ----------------------------------------------------------------------
+   what heat needs of this evaluation
+------------------------------------------------------------------------- */
+
+template <int D>
+void FixTMSPHContact::keep_touches(const std::vector<ContactState<D>> &states,
+                                   const std::vector<double> &forces,
+                                   const std::vector<double> &heats)
+{
+  for (const Member &m : members) {
+    Memory &memory = *m.memory;
+    memory.pressed.clear();
+    for (int n = m.first; n < m.last; n++) {
+      const End &e = ends[n];
+      const Pairing &p = pairings[e.pairing];
+      const ContactState<D> &s = states[e.pairing];
+      double normal = 0.0;
+      for (int a = 0; a < D; a++) normal += forces[(size_t) e.pairing * D + a] * s.normal[a];
+      if (!(normal > 0.0)) continue;
+      const double weight =
+          s.stiffness / p.pair.stiffness * atom->vfrac[p.low] * atom->vfrac[p.high];
+      memory.pressed.push_back({atom->tag[e.j], weight, p.pair.distance});
+      memory.rubbed += 0.5 * heats[e.pairing];
+    }
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::touches(std::vector<Touch> &list)
+{
+  follow(false);
+  list.clear();
+  for (const Member &m : members)
+    for (const Pressed &p : m.memory->pressed) {
+      const int j = domain->closest_image(m.i, atom->map(p.partner));
+      if (j >= 0) list.push_back({m.i, j, p.weight, p.distance});
+    }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHContact::rubbings(std::vector<Rubbing> &list)
+{
+  follow(false);
+  list.clear();
+  for (const Member &m : members)
+    if (m.memory->rubbed != 0.0) {
+      list.push_back({m.i, m.memory->rubbed});
+      m.memory->rubbed = 0.0;
+    }
 }
 
 /* ---------------------------------------------------------------------- */

@@ -55,6 +55,8 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   unsigned states() const override;
   const std::vector<Couple> &couples() override;
   void add_stress(double *stress) override;
+  void touches(std::vector<Touch> &) override;
+  void rubbings(std::vector<Rubbing> &) override;
 
  private:
   /** What a pair remembers, at both ends: the movement of its friction origin against the one
@@ -70,6 +72,11 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
     double moved[2];
     TMSPH::PairGeometry geometry;
   };
+  /** A pair that presses, as heat needs it. */
+  struct Pressed {
+    tagint partner;
+    double weight, distance;
+  };
   /** What a particle with contacts remembers of its last step. */
   struct Memory {
     double force[3] = {}, stress[6] = {};               // by contact; stress: share of the Cauchy stress
@@ -77,6 +84,8 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
     std::uint64_t stamp = 0;                         // fingerprint at the end of the run
     std::vector<Record> records;                     // of the reference family, ascending partners
     std::vector<Met> met;                            // ascending partners
+    std::vector<Pressed> pressed;                    // ascending partners; only for heat
+    double rubbed = 0.0;                             // only for heat: work of friction not yet taken
   };
   /** Two particles, at least one of them local, computed once. */
   struct Pairing {
@@ -150,9 +159,13 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void plan_search();
   template <int D> void evaluate(double dt);
   template <int D> void apply_again();
+  template <int D>
+  void keep_touches(const std::vector<TMSPH::ContactState<D>> &, const std::vector<double> &forces,
+                    const std::vector<double> &heats);
   void add_virial();
   void send(int first, int count);
-  static int exchange_size(int nrecords, int nmet);
+  static int exchange_size(int nrecords, int nmet, int npressed);
+  int exchange_size(const Memory &, bool at_most) const;
 };
 
 }    // namespace LAMMPS_NS

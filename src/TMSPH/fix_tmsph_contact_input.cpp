@@ -42,7 +42,7 @@ FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
   thermo_virial = 1;
   restart_global = restart_peratom = 1;
   stores_ids = 1;
-  maxexchange = exchange_size(0, 0);
+  maxexchange = exchange_size(0, 0, 0);
   maxexchange_dynamic = 1;
   comm_forward = 20;
   atom->add_callback(Atom::GROW);
@@ -128,14 +128,26 @@ void FixTMSPHContact::init()
 
 /* ----------------------------------------------------------------------
    for one particle: numbers of pairs, forces and couples, then the pairs of the
-   reference family (a negative id if they parted) and those that met later
+   reference family (a negative id if they parted), those that met later and those that
+   heat passes
 ------------------------------------------------------------------------- */
 
 static constexpr int GEOMETRY_SIZE = sizeof(PairGeometry) / sizeof(double);
 
-int FixTMSPHContact::exchange_size(int nrecords, int nmet)
+int FixTMSPHContact::exchange_size(int nrecords, int nmet, int npressed)
 {
-  return 18 + 3 * nrecords + (3 + GEOMETRY_SIZE) * nmet;
+  return 20 + 3 * nrecords + (3 + GEOMETRY_SIZE) * nmet + 3 * npressed;
+}
+
+/* ----------------------------------------------------------------------
+   @param at_most in steps to come, as long as no pairs are added
+------------------------------------------------------------------------- */
+
+int FixTMSPHContact::exchange_size(const Memory &m, bool at_most) const
+{
+  const int pairs = pair->keeps_touches() ? m.records.size() + m.met.size() : 0;
+  const int pressed = m.pressed.size();
+  return exchange_size(m.records.size(), m.met.size(), at_most ? std::max(pairs, pressed) : pressed);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -151,11 +163,13 @@ int FixTMSPHContact::pack_exchange(int i, double *buf)
   double *p = buf;
   *p++ = ubuf((int) memory.records.size()).d;
   *p++ = ubuf((int) memory.met.size()).d;
+  *p++ = ubuf((int) memory.pressed.size()).d;
   p = std::copy_n(memory.force, 3, p);
   p = std::copy_n(memory.stress, 6, p);
   p = std::copy_n(memory.couple, 3, p);
   p = std::copy_n(memory.couple_before, 3, p);
   *p++ = ubuf((int64_t) memory.stamp).d;
+  *p++ = memory.rubbed;
   for (const Record &r : memory.records) {
     *p++ = ubuf(r.parted ? -r.partner : r.partner).d;
     p = std::copy_n(r.moved, 2, p);
@@ -165,6 +179,11 @@ int FixTMSPHContact::pack_exchange(int i, double *buf)
     p = std::copy_n(met.moved, 2, p);
     memcpy(p, &met.geometry, sizeof(PairGeometry));
     p += GEOMETRY_SIZE;
+  }
+  for (const Pressed &pressed : memory.pressed) {
+    *p++ = ubuf(pressed.partner).d;
+    *p++ = pressed.weight;
+    *p++ = pressed.distance;
   }
   return p - buf;
 }
@@ -177,6 +196,7 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
   const int nrecords = (int) ubuf(*p++).i;
   if (nrecords < 0) return 1;
   const int nmet = (int) ubuf(*p++).i;
+  const int npressed = (int) ubuf(*p++).i;
   const auto take = [&p](double *to, int n) {
     std::copy_n(p, n, to);
     p += n;
@@ -187,6 +207,7 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
   take(memory.couple, 3);
   take(memory.couple_before, 3);
   memory.stamp = (std::uint64_t) ubuf(*p++).i;
+  memory.rubbed = *p++;
   memory.records.resize(nrecords);
   for (Record &r : memory.records) {
     const tagint partner = (tagint) ubuf(*p++).i;
@@ -200,6 +221,12 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
     take(met.moved, 2);
     memcpy(&met.geometry, p, sizeof(PairGeometry));
     p += GEOMETRY_SIZE;
+  }
+  memory.pressed.resize(npressed);
+  for (Pressed &pressed : memory.pressed) {
+    pressed.partner = (tagint) ubuf(*p++).i;
+    pressed.weight = *p++;
+    pressed.distance = *p++;
   }
   return p - buf;
 }
@@ -255,7 +282,7 @@ void FixTMSPHContact::unpack_restart(int nlocal, int nth)
 int FixTMSPHContact::size_restart(int i)
 {
   const auto found = memories.find(atom->tag[i]);
-  return found == memories.end() ? 2 : 1 + exchange_size(found->second.records.size(), found->second.met.size());
+  return found == memories.end() ? 2 : 1 + exchange_size(found->second, false);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -105,7 +105,7 @@ int FixTMSPHContact::list_members()
       return atom->tag[a.j] < atom->tag[b.j];
     });
     members.push_back({i, first, (int) ends.size(), &memory});
-    largest = std::max(largest, exchange_size(memory.records.size(), memory.met.size()));
+    largest = std::max(largest, exchange_size(memory, true));
   }
   memories.swap(kept);
   return largest;
@@ -149,7 +149,7 @@ void FixTMSPHContact::list_pairs()
   const int mine[2] = {largest, !pairings.empty()};
   int all[2];
   MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
-  maxexchange = std::max(all[0], exchange_size(0, 0));
+  maxexchange = std::max(all[0], exchange_size(0, 0, 0));
   any_pairs = all[1];
 }
 

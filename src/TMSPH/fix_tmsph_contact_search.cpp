@@ -10,8 +10,8 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
-#include "region.h"
 #include "tmsph_cells.h"
+#include "tmsph_region_surface.h"
 #include "update.h"
 
 #include <algorithm>
@@ -62,19 +62,7 @@ Surface FixTMSPHContact::given_surface(int i) const
   double X[3];
   std::copy_n(bonds->reference(i), 3, X);
   s.depth = pair->horizon();
-  for (Region *region : regions) {
-    const int found = region->inside(X[0], X[1], X[2]) ? region->surface_interior(X, s.depth)
-                                                       : region->surface_exterior(X, s.depth);
-    for (int n = 0; n < found; n++) {
-      const Region::Contact &c = region->contact[n];
-      if (c.r <= 0.0 || c.r >= s.depth) continue;
-      s.exposure = Exposure::GIVEN;
-      s.depth = c.r;
-      s.normal[0] = -c.delx / c.r;
-      s.normal[1] = -c.dely / c.r;
-      s.normal[2] = -c.delz / c.r;
-    }
-  }
+  for (Region *region : regions) take_nearest_surface(*region, X, s);
   return s;
 }
 

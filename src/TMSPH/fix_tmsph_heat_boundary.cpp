@@ -5,9 +5,16 @@
 #include "fix_tmsph_heat_boundary.h"
 
 #include "atom.h"
+#include "comm.h"
+#include "domain.h"
 #include "error.h"
+#include "fix_store_atom.h"
+#include "fix_tmsph_bond.h"
+#include "group.h"
 #include "input.h"
 #include "modify.h"
+#include "tmsph_conduction.h"
+#include "tmsph_region_surface.h"
 #include "update.h"
 #include "variable.h"
 
@@ -18,33 +25,120 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
+// a particle is at least this share of its cell's edge below the surface
+
+static constexpr double LEAST_DEPTH = 0.1;
+
+// columns of the store
+
+enum { AREA, DEPTH, NORMAL, NCOLUMNS = NORMAL + 3 };
+
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), value(0.0), variable_index(-1)
+    Fix(lmp, narg, arg), kind(TEMPERATURE), place(UNDECIDED), body(false), value(0.0),
+    coefficient(0.0), absolute_zero(0.0), variable_index(-1), given_area(0.0), cracks(false),
+    heat(nullptr), store(nullptr), found(false), removals(0)
 {
-  if (narg < 5) utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary", error);
   if (!atom->temperature_flag)
     error->all(FLERR, "Fix tmsph/heat/boundary needs an atom style with temperature: atom_style "
                       "tmsph");
-  if (strcmp(arg[3], "temperature") != 0)
-    error->all(FLERR, "Unknown word '{}' of fix tmsph/heat/boundary: use 'temperature'", arg[3]);
-  if (utils::strmatch(arg[4], "^v_"))
-    variable = arg[4] + 2;
-  else
-    value = utils::numeric(FLERR, arg[4], false, lmp);
-  for (int iarg = 5; iarg < narg; iarg += 2) {
-    if (strcmp(arg[iarg], "place") != 0)
-      error->all(FLERR, "Unknown keyword '{}' of fix tmsph/heat/boundary: use 'place'", arg[iarg]);
-    if (iarg + 1 >= narg)
-      utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary place", error);
-    if (strcmp(arg[iarg + 1], "body") != 0)
-      error->all(FLERR, "Unknown value '{}' of fix tmsph/heat/boundary place: use 'body'",
-                 arg[iarg + 1]);
-  }
-  scalar_flag = 1;
-  extscalar = 0;
+  parse(narg, arg);
+  scalar_flag = vector_flag = 1;
+  size_vector = 4;
+  comm_forward = 1;
+  extscalar = extvector = 0;
   global_freq = 1;
+}
+
+/* ----------------------------------------------------------------------
+   temperature T | flux q | convection h T | radiation B T zero T0, where T and q may
+   be variables; keywords: place body|surface, region ID, area A, cracks yes|no
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::parse(int narg, char **arg)
+{
+  if (narg < 5) utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary", error);
+  const std::string what = arg[3];
+  int iarg = 4;
+  if (what == "temperature")
+    kind = TEMPERATURE;
+  else if (what == "flux")
+    kind = FLUX;
+  else if (what == "convection")
+    kind = CONVECTION;
+  else if (what == "radiation")
+    kind = RADIATION;
+  else
+    error->all(FLERR, "Unknown word '{}' of fix tmsph/heat/boundary: use temperature, flux, "
+                      "convection or radiation", what);
+  if (kind == CONVECTION || kind == RADIATION) {
+    if (narg < 6) utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary " + what, error);
+    coefficient = utils::numeric(FLERR, arg[iarg++], false, lmp);
+    if (!(coefficient >= 0.0 && std::isfinite(coefficient)))
+      error->all(FLERR, "Coefficient {} of fix tmsph/heat/boundary {} must not be negative",
+                 arg[iarg - 1], what);
+  }
+  if (utils::strmatch(arg[iarg], "^v_"))
+    variable = arg[iarg] + 2;
+  else
+    value = utils::numeric(FLERR, arg[iarg], false, lmp);
+  bool surface_words = false, zero_given = false;
+  for (iarg++; iarg < narg; iarg += 2) {
+    const std::string word = arg[iarg];
+    const auto known = {"place", "region", "area", "cracks", "zero"};
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      error->all(FLERR, "Unknown keyword '{}' of fix tmsph/heat/boundary: use place, region, area, "
+                        "cracks or zero", word);
+    if (iarg + 1 >= narg)
+      utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary " + word, error);
+    const char *given = arg[iarg + 1];
+    surface_words = surface_words || (word != "place" && word != "zero");
+    if (word == "place") {
+      if (strcmp(given, "body") != 0 && strcmp(given, "surface") != 0)
+        error->all(FLERR, "Unknown value '{}' of fix tmsph/heat/boundary place: use body or surface",
+                   given);
+      place = strcmp(given, "body") == 0 ? BODY : SURFACE;
+    } else if (word == "region")
+      region_id = given;
+    else if (word == "cracks")
+      cracks = utils::logical(FLERR, given, false, lmp);
+    else if (word == "zero") {
+      absolute_zero = utils::numeric(FLERR, given, false, lmp);
+      zero_given = true;
+    } else {
+      given_area = utils::numeric(FLERR, given, false, lmp);
+      if (!(given_area > 0.0))
+        error->all(FLERR, "Fix tmsph/heat/boundary area {} must be positive", given);
+    }
+  }
+  if (place == BODY && kind != TEMPERATURE)
+    error->all(FLERR, "Fix tmsph/heat/boundary {} acts at the surface: remove 'place body'", what);
+  if (place == BODY && surface_words)
+    error->all(FLERR, "Fix tmsph/heat/boundary with 'place body' takes no region, area or cracks: "
+                      "remove them, or use 'place surface'");
+  if ((kind == RADIATION) != zero_given)
+    error->all(FLERR, "Fix tmsph/heat/boundary {} 'zero T', the temperature of absolute zero",
+               kind == RADIATION ? "radiation needs" : what + " does not use");
+  if (surface_words) place = SURFACE;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::post_constructor()
+{
+  if (place == BODY) return;
+  store_id = std::string(id) + "_TMSPH_SURFACE";
+  store = dynamic_cast<FixStoreAtom *>(modify->add_fix(
+      fmt::format("{} {} STORE/ATOM {} 0 0 1", store_id, group->names[igroup], (int) NCOLUMNS)));
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixTMSPHHeatBoundary::~FixTMSPHHeatBoundary()
+{
+  if (modify->nfix && !store_id.empty() && modify->get_fix_by_id(store_id))
+    modify->delete_fix(store_id);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -58,32 +152,86 @@ int FixTMSPHHeatBoundary::setmask()
 
 void FixTMSPHHeatBoundary::init()
 {
+  const auto conducting = modify->get_fix_by_style("^tmsph/heat$");
+  heat = conducting.empty() ? nullptr : static_cast<FixTMSPHHeat *>(conducting[0]);
+  body = place == BODY || (place == UNDECIDED && kind == TEMPERATURE && !heat);
+  if (!body && !heat)
+    error->all(FLERR, "Fix tmsph/heat/boundary {} acts at the surface of a body that conducts heat: "
+                      "add a fix tmsph/heat", id);
   if (variable.empty()) return;
   variable_index = input->variable->find(variable.c_str());
   if (variable_index < 0)
     error->all(FLERR, "Variable {} of fix tmsph/heat/boundary does not exist: define it first",
                variable);
-  if (!input->variable->equalstyle(variable_index))
-    error->all(FLERR, "Variable {} of fix tmsph/heat/boundary must be of equal style", variable);
+  if (!input->variable->equalstyle(variable_index) && !input->variable->atomstyle(variable_index))
+    error->all(FLERR, "Variable {} of fix tmsph/heat/boundary must be of equal or atom style",
+               variable);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::evaluate()
+{
+  values.clear();
+  if (!variable.empty()) {
+    modify->clearstep_compute();
+    if (input->variable->equalstyle(variable_index))
+      value = input->variable->compute_equal(variable_index);
+    else {
+      values.resize(atom->nlocal);
+      input->variable->compute_atom(variable_index, igroup, values.data(), 1, 0);
+    }
+    modify->addstep_compute(update->ntimestep + 1);
+  }
+  double sum[2] = {0.0, 0.0}, all[2];
+  for (int i = 0; i < (int) values.size(); i++)
+    if (atom->mask[i] & groupbit) {
+      sum[0] += values[i];
+      sum[1] += 1.0;
+    }
+  if (!variable.empty() && input->variable->atomstyle(variable_index)) {
+    MPI_Allreduce(sum, all, 2, MPI_DOUBLE, MPI_SUM, world);
+    value = all[1] > 0.0 ? all[0] / all[1] : 0.0;
+  }
+  if (!std::isfinite(value))
+    error->all(FLERR, "{} of fix tmsph/heat/boundary {} is {} on step {}: check variable {}",
+               kind == FLUX ? "Flux" : "Temperature", id, value, update->ntimestep, variable);
 }
 
 /* ----------------------------------------------------------------------
-   ghosts are set like their owners: nothing needs to be sent
+   ghosts are set like their owners: only the values of an atom-style variable
+   need to be sent
 ------------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::hold_temperature()
+{
+  evaluate();
+  double *T = atom->temperature;
+  for (int i = 0; i < atom->nlocal + (values.empty() ? atom->nghost : 0); i++)
+    if (atom->mask[i] & groupbit) T[i] = values.empty() ? value : values[i];
+  if (!variable.empty() && input->variable->atomstyle(variable_index)) comm->forward_comm(this);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHeatBoundary::pack_forward_comm(int n, int *list, double *buf, int, int *)
+{
+  for (int k = 0; k < n; k++) buf[k] = atom->temperature[list[k]];
+  return n;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::unpack_forward_comm(int n, int first, double *buf)
+{
+  std::copy_n(buf, n, atom->temperature + first);
+}
+
+/* ---------------------------------------------------------------------- */
 
 void FixTMSPHHeatBoundary::pre_force(int /*vflag*/)
 {
-  if (!variable.empty()) {
-    modify->clearstep_compute();
-    value = input->variable->compute_equal(variable_index);
-    modify->addstep_compute(update->ntimestep + 1);
-  }
-  if (!std::isfinite(value))
-    error->all(FLERR,
-               "Temperature of fix tmsph/heat/boundary {} is {} on step {}: check variable {}",
-               id, value, update->ntimestep, variable);
-  for (int i = 0; i < atom->nlocal + atom->nghost; i++)
-    if (atom->mask[i] & groupbit) atom->temperature[i] = value;
+  if (body) hold_temperature();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -100,6 +248,87 @@ void FixTMSPHHeatBoundary::min_pre_force(int vflag)
   pre_force(vflag);
 }
 
+/* ----------------------------------------------------------------------
+   areas, depths and normals of the particles of the group at the surface
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::find_surface()
+{
+  const int nlocal = atom->nlocal;
+  const FixTMSPHBond &bonds = *heat->bonds_of_body();
+  if (!cracks && found) return;
+  int gone = bonds.removals() != removals, any = 1;
+  if (found) MPI_Allreduce(&gone, &any, 1, MPI_INT, MPI_MAX, world);
+  if (!any) return;
+  if (!found) {    // a restart or an earlier run has it
+    double mine = 0.0, all;
+    for (int i = 0; i < nlocal; i++) mine += store->astore[i][AREA];
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+    found = all > 0.0;
+    if (found && !cracks) return;
+  }
+  found = true;
+  removals = bonds.removals();
+
+  Region *region = nullptr;
+  if (!region_id.empty()) {
+    region = domain->get_region_by_id(region_id);
+    if (!region)
+      error->all(FLERR, "Region {} of fix tmsph/heat/boundary does not exist: define it with the "
+                        "command region", region_id);
+  }
+  const auto shares = heat->surface(cracks);
+  double area = 0.0, total;
+  for (int i = 0; i < nlocal; i++) {
+    double *row = store->astore[i];
+    FixTMSPHHeat::SurfaceShare share = shares[i];
+    std::fill(row, row + NCOLUMNS, 0.0);
+    if (!(atom->mask[i] & groupbit) || share.area == 0.0) continue;
+    if (region) {
+      TMSPH::Surface exact;
+      exact.depth = 2.0 * bonds.reach();
+      take_nearest_surface(*region, bonds.reference(i), exact);
+      if (exact.exposure == TMSPH::Exposure::GIVEN) share.surface = exact;
+    }
+    row[AREA] = share.area;
+    row[DEPTH] = std::max(share.surface.depth, LEAST_DEPTH * bonds.spacing(i));
+    std::copy_n(share.surface.normal, 3, row + NORMAL);
+    area += share.area;
+  }
+  MPI_Allreduce(&area, &total, 1, MPI_DOUBLE, MPI_SUM, world);
+  if (!(total > 0.0) && !cracks)
+    error->all(FLERR, "Group {} of fix tmsph/heat/boundary {} has no particle at a surface: choose a "
+                      "group that reaches it, or use 'place body'", group->names[igroup], id);
+  if (given_area > 0.0 && total > 0.0)
+    for (int i = 0; i < nlocal; i++) store->astore[i][AREA] *= given_area / total;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::list_exchanges(FixTMSPHHeat &body,
+                                          std::vector<FixTMSPHHeat::Exchange> &list)
+{
+  find_surface();
+  evaluate();
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *row = store->astore[i];
+    if (row[AREA] == 0.0) continue;
+    const double outside = values.empty() ? value : values[i], area = row[AREA];
+    if (kind == FLUX) {
+      list.push_back({i, 0.0, 0.0, outside * area});
+      continue;
+    }
+    const double k = body.conductivity(i, row + NORMAL);
+    double film = coefficient;
+    if (kind == RADIATION)
+      film = TMSPH::radiation_film(coefficient, atom->temperature[i], outside, absolute_zero);
+    list.push_back({i,
+                    kind == TEMPERATURE ? TMSPH::surface_conductance(k, area, row[DEPTH])
+                                        : TMSPH::film_conductance(k, area, row[DEPTH], film),
+                    outside, 0.0});
+  }
+}
+
 /* ---------------------------------------------------------------------- */
 
 double FixTMSPHHeatBoundary::compute_scalar()
@@ -108,12 +337,31 @@ double FixTMSPHHeatBoundary::compute_scalar()
 }
 
 /* ----------------------------------------------------------------------
+   1 power, 2 energy so far, 3 area, 4 particles
+------------------------------------------------------------------------- */
+
+double FixTMSPHHeatBoundary::compute_vector(int n)
+{
+  double mine = 0.0, all;
+  if (n < 2 && heat) {
+    const FixTMSPHHeat::Account account = heat->account(this);
+    mine = n == 0 ? account.power : account.energy;
+  } else if (n >= 2)
+    for (int i = 0; i < atom->nlocal; i++) {
+      const bool member = store && !body ? store->astore[i][AREA] > 0.0 : n == 3;
+      if (member && (atom->mask[i] & groupbit)) mine += n == 3 ? 1.0 : store->astore[i][AREA];
+    }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* ----------------------------------------------------------------------
    the variable is asked ahead: 1, 2, 4 ... steps, then by bisection
 ------------------------------------------------------------------------- */
 
 int FixTMSPHHeatBoundary::reach(int most, double largest_change)
 {
-  if (variable.empty()) return most;
+  if (!body || variable.empty() || !input->variable->equalstyle(variable_index)) return most;
   const bigint now = update->ntimestep;
   const auto within = [&](int steps) {
     update->ntimestep = now + steps;

@@ -1,7 +1,8 @@
 /* -*- c++ -*- ----------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   fix tmsph/heat/boundary: prescribed temperature of a group.
+   fix tmsph/heat/boundary: prescribed temperature of particles; temperature,
+   flux, convection or radiation at the surface of a body that conducts heat.
 ------------------------------------------------------------------------- */
 
 #ifdef FIX_CLASS
@@ -13,28 +14,56 @@ FixStyle(tmsph/heat/boundary,FixTMSPHHeatBoundary);
 #ifndef LMP_FIX_TMSPH_HEAT_BOUNDARY_H
 #define LMP_FIX_TMSPH_HEAT_BOUNDARY_H
 
-#include "fix.h"
-#include "tmsph_heat_clock.h"
-
-#include <string>
+#include "fix_tmsph_heat.h"
 
 namespace LAMMPS_NS {
 
 class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock {
  public:
   FixTMSPHHeatBoundary(class LAMMPS *, int, char **);
+  ~FixTMSPHHeatBoundary() override;
   int setmask() override;
+  void post_constructor() override;
   void init() override;
   void setup_pre_force(int) override;
   void pre_force(int) override;
   void min_pre_force(int) override;
   double compute_scalar() override;
+  double compute_vector(int) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+
+  /// true if it sets the temperature of its particles themselves
+  bool holds_temperature() const { return body; }
+  /// sets the temperature of local and ghost particles of the group
+  void hold_temperature();
+  /// what the particles at the surface exchange now; appends (collective)
+  void list_exchanges(FixTMSPHHeat &, std::vector<FixTMSPHHeat::Exchange> &);
   int reach(int, double) override;
 
  private:
-  double value;            // temperature in force
-  std::string variable;    // name of the equal-style variable that gives it, or empty
+  enum Kind { TEMPERATURE, FLUX, CONVECTION, RADIATION } kind;
+  enum Place { UNDECIDED, BODY, SURFACE } place;
+  bool body;                // place as decided at init
+  double value;             // temperature or flux in force
+  double coefficient;       // film coefficient, or emissivity times Stefan's constant
+  double absolute_zero;     // of the temperature scale
+  std::string variable;     // name of the equal- or atom-style variable that gives the value, or empty
   int variable_index;
+  std::vector<double> values;    // of local particles, of an atom-style variable
+
+  std::string region_id;    // its surface is that of the body
+  double given_area;        // of the whole surface of the group, or 0
+  bool cracks;              // bonds that are gone make surface
+  class FixTMSPHHeat *heat;
+  class FixStoreAtom *store;     // area, depth, normal of each particle, in the reference positions
+  std::string store_id;
+  bool found;               // the surface; it is kept, but for cracks
+  int removals;             // of the bonds when it was found
+
+  void parse(int, char **);
+  void evaluate();
+  void find_surface();
 };
 
 }    // namespace LAMMPS_NS

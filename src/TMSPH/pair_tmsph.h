@@ -59,6 +59,23 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
     /// adds the share of contact to the Cauchy stress rows of local particles
     virtual void add_stress(double *stress) = 0;
 
+    /** Two particles that pressed on each other in the last force evaluation. */
+    struct Touch {
+      int i, j;          ///< a local particle, and a local or ghost one
+      double weight;     ///< V_i V_j w_ij as the contact took it
+      double distance;   ///< of the two along the normal when the surfaces just touch
+    };
+    /// friction took this energy at local particle i since the last call: half of that of its pairs
+    struct Rubbing {
+      int i;
+      double work;
+    };
+    /** By ascending i, then by the partners' ids; a pair of two local particles comes twice. Only if
+        heat crosses contacts, see heat_crosses_contacts(). Both survive exchanges and restarts, and
+        are collective calls. */
+    virtual void touches(std::vector<Touch> &) = 0;
+    virtual void rubbings(std::vector<Rubbing> &) = 0;
+
    protected:
     ~Contact() = default;    // owned as a fix, never through this interface
   };
@@ -101,6 +118,11 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   void set_break_test(BreakTest *test) { break_test = test; }
   bool bonds_may_break() const { return break_test != nullptr; }
   void set_contact(Contact *given) { contact = given; }
+  /// nullptr without one
+  Contact *contact_of_surfaces() const { return contact; }
+  /// in the init of a fix that needs touches() or rubbings(): contact keeps them during this run
+  void heat_crosses_contacts() { contact_serves_heat = true; }
+  bool keeps_touches() const { return contact_serves_heat; }
   /// F - I of the local particles in the last force evaluation, [nlocal][dimension*dimension];
   /// only with a contact set
   const double *step_gradient() const { return gradient.data(); }
@@ -137,6 +159,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   FixTMSPHBond *bond_fix;
   BreakTest *break_test;
   Contact *contact;
+  bool contact_serves_heat;
 
   int coefficients;                               // grows with pair_style and pair_coeff
 

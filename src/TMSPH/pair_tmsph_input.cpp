@@ -33,6 +33,7 @@ static constexpr double MAX_POISSON = 0.45;
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr), contact(nullptr),
+    contact_serves_heat(false),
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0), stable_dt(0.0),
     intact_dt(0.0), reported(false), stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
 {
@@ -259,6 +260,7 @@ void PairTMSPH::init_style()
   prepared_version = -1;
   break_test = nullptr;    // fixes that break bonds or let surfaces touch say so again in their init()
   contact = nullptr;
+  contact_serves_heat = false;
 
   bond_fix = dynamic_cast<FixTMSPHBond *>(modify->get_fix_by_id(FixTMSPHBond::ID));
   if (!bond_fix)

@@ -41,9 +41,10 @@ template <int D> class OwnSurface {
   }
 
   /** @param spacing of the particles; a surface is half of it outside the outermost one
+      @param least   one_sidedness() that a surface has at least
       @return        LOOSE with too few bonds for a deformation gradient, INSIDE where they pull
                      about evenly */
-  Surface find(double spacing) const
+  Surface find(double spacing, double least = ONE_SIDED) const
   {
     Surface s;
     s.depth = 0.5 * spacing;
@@ -51,10 +52,8 @@ template <int D> class OwnSurface {
       s.exposure = Exposure::LOOSE;
       return s;
     }
-    double square = 0.0;
-    for (int a = 0; a < D; a++) square += sum[a] * sum[a];
-    const double length = std::sqrt(square);
-    if (length < ONE_SIDED * all) return s;
+    const double length = length_of_sum();
+    if (length < least * all) return s;
     s.exposure = Exposure::SURFACE;
     for (int a = 0; a < D; a++) s.normal[a] = sum[a] / length;
 
@@ -73,7 +72,45 @@ template <int D> class OwnSurface {
     return s;
   }
 
+  /// length of the sum of all weighted bonds/sum of their lengths: 0 inside, about 1/2 at a surface
+  double one_sidedness() const { return all > 0.0 ? length_of_sum() / all : 0.0; }
+
+  /// length of the sum of all weighted bonds
+  double length_of_sum() const
+  {
+    double square = 0.0;
+    for (int a = 0; a < D; a++) square += sum[a] * sum[a];
+    return std::sqrt(square);
+  }
+
+  /** Depth below a surface along which the particles stand in rows: half of their distance outside
+      the outermost one.
+      @param surface as found
+      @return        its depth where there are no rows */
+  double depth_of_rows(const Surface &surface, double spacing) const
+  {
+    std::vector<double> heights(1, 0.0);
+    for (size_t n = 0; n < ends.size(); n += D) {
+      double height = 0.0;
+      for (int a = 0; a < D; a++) height += surface.normal[a] * ends[n + a];
+      heights.push_back(height);
+    }
+    std::sort(heights.begin(), heights.end());
+    const double outermost = heights.back();
+    double gap = 0.0;
+    for (size_t n = heights.size() - 1; n > 0; n--) {
+      const double next = heights[n] - heights[n - 1];
+      if (next < SAME_ROW * spacing) continue;
+      if (gap == 0.0) gap = next;
+      if (std::fabs(next - gap) > SAME_ROW * spacing) return surface.depth;
+    }
+    return gap > 0.0 ? outermost + 0.5 * gap : surface.depth;
+  }
+
  private:
+  // particles in a row differ in height by less than this share of the spacing
+
+  static constexpr double SAME_ROW = 1.0e-4;
   // length of the sum of all weighted bonds/sum of their lengths that a surface has at least: of the
   // second row below a flat one it is 0.06 in 2-D, 0.04 in 3-D; the third has none
 

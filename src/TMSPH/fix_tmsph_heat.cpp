@@ -1,0 +1,520 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Stepping of fix tmsph/heat: explicit Euler, or RKL2 of tmsph_rkl2.h.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_heat.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_store_atom.h"
+#include "fix_tmsph_bond.h"
+#include "fix_tmsph_heat_boundary.h"
+#include "force.h"
+#include "input.h"
+#include "modify.h"
+#include "pair_tmsph.h"
+#include "tmsph_conduction.h"
+#include "tmsph_heat_sweep.h"
+#include "tmsph_rkl2.h"
+#include "update.h"
+#include "variable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+// below this share of the stable step the error of explicit Euler in time is far below that of the
+// lattice in space
+
+static constexpr double SMALL_STEP = 0.1;
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHeat::setmask()
+{
+  return PRE_FORCE;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::post_constructor()
+{
+  norms_id = std::string(id) + "_TMSPH_NORM";
+  norms = dynamic_cast<FixStoreAtom *>(
+      modify->add_fix(fmt::format("{} all STORE/ATOM 1 0 0 1", norms_id)));
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixTMSPHHeat::~FixTMSPHHeat()
+{
+  if (modify->nfix && modify->get_fix_by_id(norms_id)) modify->delete_fix(norms_id);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::init()
+{
+  pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
+  if (!pair) error->all(FLERR, "Fix tmsph/heat needs pair style tmsph");
+  if (modify->get_fix_by_style("^tmsph/heat$").size() > 1)
+    error->all(FLERR, "More than one fix tmsph/heat: give all types in a single one");
+  bonds = pair->bonds();
+  version = -1;
+  if (crosses || friction) pair->heat_crosses_contacts();
+  boundaries.clear();
+  for (Fix *fix : modify->get_fix_by_style("^tmsph/heat/boundary$"))
+    boundaries.push_back(static_cast<FixTMSPHHeatBoundary *>(fix));
+  if (accounts.size() != boundaries.size() + 1) accounts.assign(boundaries.size() + 1, Account());
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const std::string &name = substances[type].source_variable;
+    if (name.empty()) continue;
+    const int found = input->variable->find(name.c_str());
+    if (found < 0)
+      error->all(FLERR, "Variable {} of fix tmsph/heat source does not exist: define it first",
+                 name);
+    if (!input->variable->equalstyle(found) && !input->variable->atomstyle(found))
+      error->all(FLERR, "Variable {} of fix tmsph/heat source must be of equal or atom style",
+                 name);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::setup_pre_force(int /*vflag*/)
+{
+  if ((crosses || friction) && !pair->contact_of_surfaces())
+    error->all(FLERR, "Fix tmsph/heat {} needs to know what touches: add a fix tmsph/contact",
+               crosses ? "contact" : "friction");
+  find_norms();
+  prepare(0.0);
+  if (!told) tell();
+  told = true;
+}
+
+/* ----------------------------------------------------------------------
+   the temperatures of a step are there before its forces
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::pre_force(int /*vflag*/)
+{
+  if (update->ntimestep % every != 0) return;
+  if (friction) collect_friction();
+  const double duration = every * time_scale * update->dt;
+  prepare(duration);
+  std::vector<double> y;
+  attempt(duration, y);
+  commit(duration, y);
+}
+
+/* ----------------------------------------------------------------------
+   quasi-static stepping: an attempt that turns out too long is taken back, the
+   next call starts from what went well before
+------------------------------------------------------------------------- */
+
+int FixTMSPHHeat::advance(int most, double largest_change)
+{
+  const bigint now = update->ntimestep;
+  const double *T = atom->temperature;
+  const std::vector<double> before(T, T + atom->nlocal);
+  const std::vector<Account> accounts_before(accounts);
+  std::vector<double> y;
+  int steps = std::min(most, 2 * comfortable);
+  if (friction) collect_friction();
+  for (;;) {
+    const double duration = steps * time_scale * update->dt;
+    update->ntimestep = now + steps;    // for variables
+    prepare(duration);
+    attempt(duration, y);
+    update->ntimestep = now;
+    double mine = 0.0, change;
+    for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, std::fabs(T[i] - before[i]));
+    MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
+    if (steps == 1 || change <= largest_change) {
+      commit(duration, y);
+      break;
+    }
+    std::copy(before.begin(), before.end(), atom->temperature);
+    accounts = accounts_before;
+    steps = std::max(1, (int) (steps * std::max(0.1, 0.9 * largest_change / change)));
+  }
+  comfortable = steps;
+  return steps;
+}
+
+/* ----------------------------------------------------------------------
+   @param y enthalpies of the local particles, then energies of the accounts
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::attempt(double duration, std::vector<double> &y)
+{
+  const int nlocal = atom->nlocal;
+  const double *T = atom->temperature;
+  const std::vector<double> before(T, T + nlocal);
+  y.assign(nlocal + accounts.size(), 0.0);
+  for (int i = 0; i < nlocal; i++) y[i] = enthalpy(i, T[i]);
+  step(duration, y);
+  put_temperatures(y);
+  double mine = 0.0, change;
+  for (int i = 0; i < nlocal; i++) {
+    const double d = std::fabs(T[i] - before[i]);
+    if (!(d <= mine)) mine = std::isfinite(d) ? d : HUGE_VAL;
+  }
+  MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (!std::isfinite(change))
+    error->all(FLERR, "A temperature of fix tmsph/heat is no number any more on step {}: check the "
+                      "values given to its boundaries and sources", update->ntimestep);
+  fastest = change / duration;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::commit(double duration, const std::vector<double> &y)
+{
+  const int nlocal = atom->nlocal;
+  for (size_t n = 0; n < accounts.size(); n++) {
+    accounts[n].energy += y[nlocal + n];
+    accounts[n].power = y[nlocal + n] / duration;
+  }
+  std::copy(power.begin(), power.end(), atom->heatflow);
+  covered += duration;
+  rubbed.clear();
+}
+
+/* ----------------------------------------------------------------------
+   energies that friction took since the last advance
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::collect_friction()
+{
+  std::vector<PairTMSPH::Contact::Rubbing> rubbings;
+  pair->contact_of_surfaces()->rubbings(rubbings);
+  rubbed.clear();
+  for (const auto &r : rubbings) rubbed.push_back({r.i, 0.0, 0.0, r.work});
+}
+
+/* ----------------------------------------------------------------------
+   what acts from outside during an advance
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::prepare(double duration)
+{
+  const int nlocal = atom->nlocal;
+  follow();
+  held.assign(nlocal, NOT_HELD);
+  exchanges.clear();
+  first_exchange.assign(1, 0);
+  heats = cools = false;
+  for (size_t b = 0; b < boundaries.size(); b++) {
+    if (boundaries[b]->holds_temperature()) {
+      const double before = content();
+      boundaries[b]->hold_temperature();
+      accounts[b].energy += content() - before;
+      for (int i = 0; i < nlocal; i++)
+        if (atom->mask[i] & boundaries[b]->groupbit) held[i] = b;
+    } else
+      boundaries[b]->list_exchanges(*this, exchanges);
+    first_exchange.push_back(exchanges.size());
+  }
+  if (duration > 0.0)
+    for (const Exchange &r : rubbed) exchanges.push_back({r.i, 0.0, 0.0, r.power / duration});
+  first_exchange.push_back(exchanges.size());
+  for (const Exchange &e : exchanges) {
+    heats = heats || e.power > 0.0;
+    cools = cools || e.power < 0.0;
+  }
+  evaluate_sources();
+  bridges.clear();
+  if (crosses) find_bridges();
+
+  // Gershgorin: lambda_max <= 2 max (sum of conductances/capacity). Up to 2/lambda_max explicit Euler
+  // takes means of temperatures with positive weights
+
+  std::vector<double> all(sums);
+  for (const Exchange &e : exchanges) all[e.i] += e.conductance;
+  for (const Bridge &b : bridges) all[b.i] += b.conductance;
+  double mine = 0.0, largest;
+  for (int i = 0; i < nlocal; i++) {
+    const double heat = substances[atom->type[i]].specific_heat.smallest();
+    if (held[i] == NOT_HELD) mine = std::max(mine, all[i] / (heat * atom->rmass[i]));
+  }
+  MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+  stable = largest > 0.0 ? 1.0 / largest : HUGE_VAL;
+
+  if (!rkl2 && duration > stable)
+    error->all(FLERR,
+               "The heat step {:.4g} (timestep x every x time/scale) of fix tmsph/heat is above the "
+               "stable one of explicit stepping, {:.4g}: shorten it, or use 'subcycle rkl2'",
+               duration, stable);
+}
+
+/* ----------------------------------------------------------------------
+   power per volume
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::evaluate_sources()
+{
+  const int nlocal = atom->nlocal;
+  source_of.clear();
+  for (int type = 1; type <= atom->ntypes; type++) {
+    Substance &s = substances[type];
+    std::vector<double> each;
+    if (!s.source_variable.empty()) {
+      const int variable = input->variable->find(s.source_variable.c_str());
+      modify->clearstep_compute();
+      if (input->variable->equalstyle(variable))
+        s.source = input->variable->compute_equal(variable);
+      else {
+        each.resize(nlocal);
+        input->variable->compute_atom(variable, 0, each.data(), 1, 0);
+      }
+      modify->addstep_compute(update->ntimestep + every);
+    }
+    if (each.empty() && s.source == 0.0) continue;
+    source_of.resize(nlocal);
+    for (int i = 0; i < nlocal; i++) {
+      if (atom->type[i] != type || !(atom->mask[i] & groupbit)) continue;
+      source_of[i] = each.empty() ? s.source : each[i];
+      heats = heats || source_of[i] > 0.0;
+      cools = cools || source_of[i] < 0.0;
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   Through pairs that press on each other: the area A = 2 c W D of the surface
+   that is theirs, as for bonds across a plane, and on it in series both half
+   distances and the gap.
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::find_bridges()
+{
+  std::vector<PairTMSPH::Contact::Touch> touches;
+  pair->contact_of_surfaces()->touches(touches);
+  const auto k = [this](int i) {
+    return substances[atom->type[i]].conductivity(atom->temperature[i]);
+  };
+  for (const auto &t : touches) {
+    const double h = gap[atom->type[t.i]][atom->type[t.j]];
+    if (h == 0.0) continue;
+    const double area = (all_norms[t.i] + all_norms[t.j]) * t.weight * t.distance;
+    const double resistance = t.distance / TMSPH::harmonic_mean(k(t.i), k(t.j)) + 1.0 / h;
+    bridges.push_back({t.i, t.j, area / resistance});
+  }
+}
+
+/* ----------------------------------------------------------------------
+   RKL2 can leave the range of the temperatures at a jump, which the equation
+   never does without sources: then shorter steps are taken, down to explicit
+   Euler, which cannot.
+   @param y enthalpies of the local particles and energies of the accounts
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::step(double duration, std::vector<double> &y)
+{
+  if (!rkl2 || duration <= SMALL_STEP * stable) return euler_step(duration, y);
+  const int nlocal = atom->nlocal;
+  const auto temperature = [&](int i) {
+    const Substance &s = substances[atom->type[i]];
+    return s.specific_heat.temperature_at(y[i]);
+  };
+  double mine[2] = {-HUGE_VAL, -HUGE_VAL}, range[2];    // minus the lowest, the highest
+  const auto include = [&mine](double T) {
+    mine[0] = std::max(mine[0], -T);
+    mine[1] = std::max(mine[1], T);
+  };
+  for (int i = 0; i < nlocal; i++) include(temperature(i));
+  for (const Exchange &e : exchanges)
+    if (e.conductance > 0.0) include(e.outside);
+  MPI_Allreduce(mine, range, 2, MPI_DOUBLE, MPI_MAX, world);
+  const double rounding = 1.0e-13 * std::max(std::fabs(range[0]), std::fabs(range[1]));
+
+  const std::vector<double> start(y);
+  super_step(duration, y);
+  int leaves = 0, any, moved[2] = {cools, heats}, move[2];
+  MPI_Allreduce(moved, move, 2, MPI_INT, MPI_MAX, world);
+  for (int i = 0; i < nlocal; i++) {
+    const double T = temperature(i);
+    if ((!move[0] && -T > range[0] + rounding) || (!move[1] && T > range[1] + rounding)) leaves = 1;
+  }
+  MPI_Allreduce(&leaves, &any, 1, MPI_INT, MPI_MAX, world);
+  if (!any) return;
+  y = start;
+  const bool shortest = duration <= stable;
+  for (int half = 0; half < 2; half++)
+    shortest ? euler_step(0.5 * duration, y) : step(0.5 * duration, y);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::euler_step(double duration, std::vector<double> &y)
+{
+  std::vector<double> rate(y.size());
+  rates(y, rate);
+  for (size_t n = 0; n < y.size(); n++) y[n] += duration * rate[n];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::super_step(double duration, std::vector<double> &y)
+{
+  const size_t size = y.size();
+  const TMSPH::Rkl2 scheme(duration / stable);
+  const std::vector<double> y0(y);
+  std::vector<double> rate0(size), rate(size), last(y), before_last(size);
+  rates(y0, rate0);
+  for (int j = 1; j <= scheme.stages; j++) {
+    const TMSPH::Rkl2::Stage c = scheme.stage(j);
+    if (j == 1)
+      rate = rate0;
+    else
+      rates(last, rate);
+    for (size_t n = 0; n < size; n++)
+      y[n] = c.mu * last[n] + c.nu * before_last[n] + (1.0 - c.mu - c.nu) * y0[n] +
+          duration * (c.mu_rate * rate[n] + c.gamma_rate * rate0[n]);
+    std::swap(before_last, last);
+    last = y;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::rates(const std::vector<double> &y, std::vector<double> &rate)
+{
+  const int nlocal = atom->nlocal;
+  put_temperatures(y);
+  const double *T = atom->temperature;
+  if (tables) {
+    conductivities.resize(nlocal + atom->nghost);
+    for (int i = 0; i < nlocal + atom->nghost; i++)
+      conductivities[i] = substances[atom->type[i]].conductivity(T[i]);
+  }
+  power.resize(nlocal);
+  TMSPH::heat_sweep(bonds->layout(), conductances.data(), T,
+                    tables ? conductivities.data() : nullptr, power.data());
+  applications++;
+  for (const Bridge &b : bridges) power[b.i] += b.conductance * (T[b.j] - T[b.i]);
+  std::fill(rate.begin() + nlocal, rate.end(), 0.0);
+  for (size_t b = 0; b < accounts.size(); b++)
+    for (int n = first_exchange[b]; n < first_exchange[b + 1]; n++) {
+      const Exchange &e = exchanges[n];
+      const double gain = e.conductance * (e.outside - T[e.i]) + e.power;
+      power[e.i] += gain;
+      rate[nlocal + b] += gain;
+    }
+  if (!source_of.empty())
+    for (int i = 0; i < nlocal; i++) {
+      const double gain = source_of[i] * atom->vfrac[i];
+      power[i] += gain;
+      rate[nlocal + source_account()] += gain;
+    }
+  for (int i = 0; i < nlocal; i++) {
+    const bool free = held[i] == NOT_HELD;
+    if (!free) rate[nlocal + held[i]] -= power[i];
+    rate[i] = free ? power[i] / atom->rmass[i] : 0.0;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::put_temperatures(const std::vector<double> &y)
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (held[i] == NOT_HELD)
+      atom->temperature[i] = substances[atom->type[i]].specific_heat.temperature_at(y[i]);
+  comm->forward_comm(this);
+}
+
+/* ----------------------------------------------------------------------
+   completes the numbers of local particles by those of ghosts
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::share(std::vector<double> &values)
+{
+  shared.swap(values);
+  shared.resize(atom->nlocal + atom->nghost);
+  what_to_send = SHARED;
+  comm->forward_comm(this);
+  what_to_send = TEMPERATURE;
+  shared.swap(values);
+}
+
+/* ----------------------------------------------------------------------
+   energy per mass
+------------------------------------------------------------------------- */
+
+double FixTMSPHHeat::enthalpy(int i, double temperature) const
+{
+  return substances[atom->type[i]].specific_heat.integral(temperature);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHeat::content() const
+{
+  double sum = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    sum += atom->rmass[i] * enthalpy(i, atom->temperature[i]);
+  return sum;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHeat::pack_forward_comm(int n, int *list, double *buf, int /*pbc_flag*/, int * /*pbc*/)
+{
+  const double *values = what_to_send == SHARED ? shared.data() : atom->temperature;
+  for (int k = 0; k < n; k++) buf[k] = values[list[k]];
+  return n;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::unpack_forward_comm(int n, int first, double *buf)
+{
+  std::copy_n(buf, n, (what_to_send == SHARED ? shared.data() : atom->temperature) + first);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixTMSPHHeat::Account FixTMSPHHeat::account(const FixTMSPHHeatBoundary *boundary) const
+{
+  const auto found = std::find(boundaries.begin(), boundaries.end(), boundary);
+  return found == boundaries.end() ? Account() : accounts[found - boundaries.begin()];
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHeat::compute_scalar()
+{
+  const double mine = content();
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* ----------------------------------------------------------------------
+   1 power of boundaries, 2 their energy so far, 3 and 4 the same of sources,
+   5 largest rate of a temperature, 6 stable explicit step, 7 time covered,
+   8 applications of the operator
+------------------------------------------------------------------------- */
+
+double FixTMSPHHeat::compute_vector(int n)
+{
+  if (n == 4) return fastest;
+  if (n == 5) return stable;
+  if (n == 6) return covered;
+  if (n == 7) return applications;
+  double mine = 0.0, all;
+  for (int a = 0; a < (int) accounts.size(); a++)
+    if ((a == source_account()) == (n > 1))
+      mine += n % 2 ? accounts[a].energy : accounts[a].power;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}

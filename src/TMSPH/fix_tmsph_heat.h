@@ -1,0 +1,154 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   fix tmsph/heat: conduction of heat over the intact reference bonds.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(tmsph/heat,FixTMSPHHeat);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_TMSPH_HEAT_H
+#define LMP_FIX_TMSPH_HEAT_H
+
+#include "fix.h"
+#include "tmsph_heat_clock.h"
+#include "tmsph_own_surface.h"
+#include "tmsph_property_table.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
+ public:
+  /// heat that one particle exchanges with what is outside the body
+  struct Exchange {
+    int i;                         ///< local index
+    double conductance, outside;   ///< power conductance (outside - T_i)
+    double power;                  ///< and what does not depend on T_i
+  };
+  /// a piece of the surface, the particle below it
+  struct SurfaceShare {
+    TMSPH::Surface surface;
+    double area = 0.0;             ///< 0: the particle is inside
+    double one_sidedness = 0.0;    ///< see there
+  };
+  /// mean power in the last advance and energy so far that a boundary or the sources brought
+  struct Account {
+    double power = 0.0, energy = 0.0;
+  };
+
+  FixTMSPHHeat(class LAMMPS *, int, char **);
+  ~FixTMSPHHeat() override;
+  int setmask() override;
+  void post_constructor() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void pre_force(int) override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  int reach(int most, double /*largest_change*/) override { return most; }
+  int advance(int most, double largest_change) override;
+
+  /** The surface of the body as its reference bonds show it (collective).
+      @param cracks bonds that are gone count as surface too
+      @return       one entry for each local particle */
+  std::vector<SurfaceShare> surface(bool cracks);
+  /// of the material of local particle i at its temperature, along a direction of unit length
+  double conductivity(int i, const double *direction) const;
+  class FixTMSPHBond *bonds_of_body() const { return bonds; }
+  /// this processor's share
+  Account account(const class FixTMSPHHeatBoundary *) const;
+
+ private:
+  struct Substance {
+    TMSPH::PropertyTable conductivity, specific_heat;
+    bool orthotropic = false;
+    double principal[9] = {};      // conductivity tensor in the frame of the reference positions
+    double calibrated[9] = {};     // what makes a lattice conduct like it
+    double source = 0.0;           // power per volume
+    std::string source_variable;
+  };
+  class PairTMSPH *pair;
+  class FixTMSPHBond *bonds;
+  class FixStoreAtom *norms;       // c of each particle, frozen when the bonds formed
+  std::string norms_id;
+  std::vector<Substance> substances;    // by type
+  bool rkl2, tables;               // some conductivity depends on temperature
+  int every;
+  double time_scale;
+  std::vector<std::vector<double>> gap;    // conductance of closed cracks by type and type, or 0
+  bool crosses, friction;          // any of them is not 0; friction heats
+  bool told;
+
+  std::vector<class FixTMSPHHeatBoundary *> boundaries;
+  int version, removals;           // of the bonds when the conductances were found
+  std::vector<float> conductances; // [row][8], without the conductivity if there are tables
+  std::vector<double> conductivities;    // of local and ghost particles, with tables
+  std::vector<double> all_norms;   // of local and ghost particles
+  std::vector<double> sums;        // sum_j G_ij of local particles, at the largest conductivity
+  std::vector<double> shared;      // of local and ghost particles, one number each
+  enum { TEMPERATURE, SHARED } what_to_send;
+
+  // of the advance that goes on. The energies of the accounts are stages of the same scheme as
+  // the temperatures, so that what is gained and lost adds up to the last digits
+
+  struct Bridge {
+    int i, j;                      // a local particle, and a local or ghost one
+    double conductance;
+  };
+  std::vector<Bridge> bridges;     // across closed cracks and between bodies
+  std::vector<Exchange> exchanges, rubbed;    // in the latter energies instead of powers
+  std::vector<int> first_exchange; // of each boundary, then of friction
+  static constexpr int NOT_HELD = -1;
+  std::vector<int> held;           // [nlocal] boundary that gives the temperature, or NOT_HELD
+  std::vector<double> source_of;   // power per volume of local particles, if any
+  std::vector<double> power;       // of local particles
+  bool heats, cools;               // sources or fluxes that move the bounds of the temperatures
+  double stable, covered;          // explicit step; time covered so far
+  double fastest;                  // largest rate of a temperature in the last advance
+  int comfortable;                 // steps of an advance that kept to its largest change
+  bigint applications;             // of the operator, so far
+  std::vector<Account> accounts;   // of the boundaries, then of all sources
+  int source_account() const { return boundaries.size(); }
+
+  void parse(int, char **);
+  int parse_conductivity(int, int, char **, Substance &);
+  void find_norms();
+  template <int D> std::vector<SurfaceShare> classify(bool cracks);
+  std::vector<char> near_surface(const std::vector<SurfaceShare> &);
+  template <int D> void calibrate(int type, const std::vector<char> &near);
+  template <int D> void find_conductances();
+  void drop_conductances();
+  void follow();
+  void share(std::vector<double> &);
+  void attempt(double duration, std::vector<double> &y);
+  void commit(double duration, const std::vector<double> &y);
+  void collect_friction();
+  void prepare(double duration);
+  void evaluate_sources();
+  void find_bridges();
+  void step(double duration, std::vector<double> &y);
+  void super_step(double duration, std::vector<double> &y);
+  void euler_step(double duration, std::vector<double> &y);
+  void rates(const std::vector<double> &y, std::vector<double> &rate);
+  void put_temperatures(const std::vector<double> &y);
+  double enthalpy(int i, double temperature) const;
+  double content() const;
+  void tell();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

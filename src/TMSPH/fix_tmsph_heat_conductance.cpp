@@ -1,0 +1,355 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Conductances of the bonds of fix tmsph/heat, and the surface of the body.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_heat.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_store_atom.h"
+#include "fix_tmsph_bond.h"
+#include "tmsph_conduction.h"
+#include "tmsph_fixed_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+// one-sidedness of the particles in the outermost row of a surface, at least: of a flat one it is
+// about 0.45, inside an irregular cloud below 0.15
+
+static constexpr double OUTERMOST = 0.25;
+
+// less than this is round-off
+
+static constexpr double EVEN = 1.0e-6;
+
+// one-sidedness inside an irregular cloud, at least: with spacings that vary by a few thousandths;
+// and that of surfaces in multiples of it
+
+static constexpr double IRREGULAR = 1.0e-3, FAR_MORE = 3.0;
+
+/* ----------------------------------------------------------------------
+   a sum that does not depend on how its terms are spread over processors
+------------------------------------------------------------------------- */
+
+static double fixed_point_sum(const std::vector<double> &terms, MPI_Comm world)
+{
+  const int n = terms.size();
+  const std::vector<double> ones(n, 1.0);
+  double mine = largest_magnitude(n, terms.data()), largest;
+  bigint count = n, total, all;
+  MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(&count, &total, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  const double scale = fixed_point_scale(largest * (double) total);
+  bigint sum = fixed_point_dot(n, terms.data(), ones.data(), scale);
+  MPI_Allreduce(&sum, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return scale > 0.0 ? (double) all / scale : 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   median of positive numbers, the same however they are spread; 0 if there are none
+------------------------------------------------------------------------- */
+
+static double median(const std::vector<double> &values, MPI_Comm world)
+{
+  double mine[2] = {-HUGE_VAL, 0.0}, range[2];
+  for (double v : values) {
+    mine[0] = std::max(mine[0], -v);
+    mine[1] = std::max(mine[1], v);
+  }
+  MPI_Allreduce(mine, range, 2, MPI_DOUBLE, MPI_MAX, world);
+  bigint count = values.size(), total, below, all;
+  MPI_Allreduce(&count, &total, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (!total) return 0.0;
+  double low = -range[0], high = range[1];
+  for (;;) {
+    const double middle = 0.5 * (low + high);
+    if (!(middle > low && middle < high)) return high;
+    below = std::count_if(values.begin(), values.end(), [=](double v) { return v <= middle; });
+    MPI_Allreduce(&below, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    (2 * all < total ? low : high) = middle;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   Normal, depth and area of the surface near each local particle. With
+     A_i = 2 c V_i |sum_j V_j grad W_ij|
+   a field that varies linearly with the depth is steady at each particle near a
+   flat surface at the right temperature: what its bonds bring, A_i k dT/dn, is
+   what its share of the surface takes. Sets "shared" where a particle is
+   outermost.
+------------------------------------------------------------------------- */
+
+template <int D> std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::classify(bool cracks)
+{
+  std::vector<SurfaceShare> shares(atom->nlocal);
+  shared.assign(atom->nlocal, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    OwnSurface<D> own;
+    for (int k = 0; k < bonds->count(i); k++) {
+      const int j = bonds->partner_index(i, k), state = bonds->bond_state(i, k);
+      if (j == i || state == FixTMSPHBond::UNBONDED) continue;
+      if (cracks && state != FixTMSPHBond::INTACT) continue;
+      double X[3];
+      bonds->reference_vector(i, j, X);
+      own.add(X, bonds->weight(i, j));
+    }
+    SurfaceShare &share = shares[i];
+    share.surface = own.find(bonds->spacing(i), EVEN);
+    const Exposure exposure = share.surface.exposure;
+    if (exposure == Exposure::SURFACE) {
+      share.surface.depth = own.depth_of_rows(share.surface, bonds->spacing(i));
+      share.area = 2.0 * norms->vstore[i] * own.length_of_sum();
+    }
+    share.one_sidedness = own.one_sidedness();
+    if (exposure == Exposure::LOOSE || share.one_sidedness > OUTERMOST) shared[i] = 1.0;
+  }
+  return shares;
+}
+
+/* ----------------------------------------------------------------------
+   particles that are outermost or have a partner that is
+------------------------------------------------------------------------- */
+
+std::vector<char> FixTMSPHHeat::near_surface(const std::vector<SurfaceShare> &shares)
+{
+  std::vector<double> outermost(shared);
+  share(outermost);
+  std::vector<char> near(shares.size());
+  for (int i = 0; i < atom->nlocal; i++) {
+    near[i] = outermost[i] != 0.0;
+    for (int k = 0; k < bonds->count(i) && !near[i]; k++)
+      near[i] = bonds->bond_state(i, k) != FixTMSPHBond::UNBONDED &&
+          outermost[bonds->partner_index(i, k)] != 0.0;
+  }
+  return near;
+}
+
+/* ----------------------------------------------------------------------
+   Inside an irregular cloud bonds pull unevenly too: of its particles those make
+   the surface whose bonds pull far more so. Its area is then scaled by the
+   divergence theorem, integral of x.n over the surface = D times the volume;
+   in periodic directions x means nothing.
+------------------------------------------------------------------------- */
+
+std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::surface(bool cracks)
+{
+  const int dimension = domain->dimension, nlocal = atom->nlocal;
+  std::vector<SurfaceShare> shares = dimension == 2 ? classify<2>(cracks) : classify<3>(cracks);
+  const std::vector<char> near = near_surface(shares);
+  std::vector<double> inside;
+  for (int i = 0; i < nlocal; i++)
+    if (near[i])
+      continue;
+    else {
+      inside.push_back(shares[i].one_sidedness);
+      shares[i].area = 0.0;
+    }
+  const double noise = median(inside, world);
+  if (noise < IRREGULAR) return shares;
+
+  std::vector<double> moments(nlocal), volumes(atom->vfrac, atom->vfrac + nlocal);
+  int directions = 0;
+  for (int k = 0; k < dimension; k++) directions += !domain->periodicity[k];
+  for (int i = 0; i < nlocal; i++) {
+    SurfaceShare &share = shares[i];
+    if (share.one_sidedness < FAR_MORE * noise) share.area = 0.0;
+    const double *X = bonds->reference(i), *n = share.surface.normal;
+    for (int k = 0; k < dimension; k++)
+      if (!domain->periodicity[k])
+        moments[i] += share.area * n[k] * (X[k] + share.surface.depth * n[k]);
+  }
+  const double moment = fixed_point_sum(moments, world);
+  const double volume = fixed_point_sum(volumes, world);
+  if (moment > 0.0)
+    for (SurfaceShare &share : shares) share.area *= directions * volume / moment;
+  return shares;
+}
+
+/* ----------------------------------------------------------------------
+   c = D/sum_j V_j w R^2 of each particle from all bonds that it had, so that
+   broken ones do not make the others conduct better. Near a surface, where the
+   sum lacks terms, that of the interior.
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::find_norms()
+{
+  const int nlocal = atom->nlocal, dimension = domain->dimension;
+  int lacking = 0, any;
+  for (int i = 0; i < nlocal; i++) lacking = lacking || norms->vstore[i] == 0.0;
+  MPI_Allreduce(&lacking, &any, 1, MPI_INT, MPI_MAX, world);
+  if (!any) return;
+
+  std::vector<double> second(nlocal);    // sum_j V_j w R^2
+  for (int i = 0; i < nlocal; i++) {
+    for (int k = 0; k < bonds->count(i); k++) {
+      const int j = bonds->partner_index(i, k);
+      if (j == i || bonds->bond_state(i, k) == FixTMSPHBond::UNBONDED) continue;
+      double X[3];
+      bonds->reference_vector(i, j, X);
+      second[i] += bonds->weight(i, j) * (X[0] * X[0] + X[1] * X[1] + X[2] * X[2]);
+    }
+    second[i] /= atom->vfrac[i];
+  }
+  const auto shares = dimension == 2 ? classify<2>(false) : classify<3>(false);
+  const std::vector<char> near = near_surface(shares);
+  const auto typical = [&](int type) {
+    std::vector<double> inside;
+    double mine = 0.0, largest;
+    for (int i = 0; i < nlocal; i++) {
+      if (atom->type[i] != type) continue;
+      mine = std::max(mine, second[i]);
+      if (!near[i]) inside.push_back(second[i]);
+    }
+    MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+    const double middle = median(inside, world);
+    return middle > 0.0 ? middle : largest;
+  };
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const double sum = typical(type);
+    for (int i = 0; i < nlocal; i++)
+      if (atom->type[i] == type) norms->vstore[i] = dimension / (near[i] ? sum : second[i]);
+  }
+  for (int type = 1; type <= atom->ntypes; type++)
+    if (substances[type].orthotropic)
+      dimension == 2 ? calibrate<2>(type, near) : calibrate<3>(type, near);
+}
+
+/* ----------------------------------------------------------------------
+   A lattice has few directions: its mean of k(e) e e^T is not quite K. The
+   tensor in k(e) is adjusted until it is, on the mean of the interior.
+------------------------------------------------------------------------- */
+
+template <int D> void FixTMSPHHeat::calibrate(int type, const std::vector<char> &near)
+{
+  static constexpr int ITERATIONS = 100;
+  using Conductivity = DirectionalConductivity<D>;
+  Substance &s = substances[type];
+  typename Conductivity::Tensor K, used;
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) K(a, b) = s.principal[3 * a + b];
+  used = K;
+
+  for (int iteration = 0; iteration < ITERATIONS; iteration++) {
+    const Conductivity k(used);
+    std::vector<double> terms[SYMMETRIC<D>], ones;
+    for (int i = 0; i < atom->nlocal; i++) {
+      if (atom->type[i] != type || near[i]) continue;
+      bool pure = true;
+      typename Conductivity::Tensor sum = Conductivity::Tensor::Zero();
+      for (int n = 0; n < bonds->count(i) && pure; n++) {
+        const int j = bonds->partner_index(i, n);
+        pure = j != i && atom->type[j] == type;
+        double X[3];
+        bonds->reference_vector(i, j, X);
+        const typename Conductivity::Vector R(X);
+        if (pure) sum += bonds->weight(i, j) * k(R.normalized()) * R * R.transpose();
+      }
+      if (!pure) continue;
+      sum *= norms->vstore[i] / atom->vfrac[i];
+      ones.push_back(1.0);
+      for (int a = 0, n = 0; a < D; a++)
+        for (int b = a; b < D; b++) terms[n++].push_back(sum(a, b));
+    }
+    const double count = fixed_point_sum(ones, world);
+    if (count == 0.0) break;
+    typename Conductivity::Tensor mean;
+    for (int a = 0, n = 0; a < D; a++)
+      for (int b = a; b < D; b++) mean(a, b) = mean(b, a) = fixed_point_sum(terms[n++], world) / count;
+    const double error = (K - mean).norm() / K.norm();
+    used += K - mean;
+    if (error < 1.0e-13) break;
+  }
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) s.calibrated[3 * a + b] = used(a, b);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void FixTMSPHHeat::find_conductances()
+{
+  const Slices &slices = bonds->layout();
+  const int ntypes = atom->ntypes;
+  std::vector<double> k(ntypes + 1), most(ntypes + 1);
+  std::vector<DirectionalConductivity<D>> directional(ntypes + 1);
+  for (int type = 1; type <= ntypes; type++) {
+    const Substance &s = substances[type];
+    k[type] = tables ? 1.0 : s.conductivity(0.0);
+    most[type] = s.conductivity.largest();
+    if (!s.orthotropic) continue;
+    typename DirectionalConductivity<D>::Tensor K;
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) K(a, b) = s.calibrated[3 * a + b];
+    directional[type] = DirectionalConductivity<D>(K);
+  }
+  conductances.assign(slices.weight.size(), 0.0f);
+  sums.assign(atom->nlocal, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int itype = atom->type[i];
+    for (int n = 0; n < bonds->count(i); n++) {
+      const size_t at = slices.at(i / WIDTH, i % WIDTH, n);
+      if (slices.weight[at] == 0.0f) continue;
+      const int j = slices.partner[at], jtype = atom->type[j];
+      double ki = k[itype], kj = k[jtype];
+      if (substances[itype].orthotropic || substances[jtype].orthotropic) {
+        double X[3];
+        bonds->reference_vector(i, j, X);
+        const auto e = typename DirectionalConductivity<D>::Vector(X).normalized();
+        if (substances[itype].orthotropic) ki = directional[itype](e);
+        if (substances[jtype].orthotropic) kj = directional[jtype](e);
+      }
+      const double base = (all_norms[i] + all_norms[j]) * slices.weight[at];
+      conductances[at] = (float) (base * harmonic_mean(ki, kj));
+      sums[i] += tables ? base * harmonic_mean(most[itype], most[jtype]) : conductances[at];
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   after an exchange of particles all are found anew; bonds that have gone since
+   no longer conduct
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::follow()
+{
+  if (version != bonds->layout_version()) {
+    version = bonds->layout_version();
+    all_norms.assign(norms->vstore, norms->vstore + atom->nlocal);
+    share(all_norms);
+    domain->dimension == 2 ? find_conductances<2>() : find_conductances<3>();
+  } else if (removals != bonds->removals())
+    drop_conductances();
+  removals = bonds->removals();
+}
+
+/* ----------------------------------------------------------------------
+   the sums stay as bounds: with fewer bonds the stable step is only longer
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::drop_conductances()
+{
+  const std::vector<float> &weight = bonds->layout().weight;
+  for (size_t at = 0; at < weight.size(); at++)
+    if (weight[at] == 0.0f) conductances[at] = 0.0f;
+}
+
+/* ----------------------------------------------------------------------
+   n.K.n: the flux along n in a field that varies along n only
+------------------------------------------------------------------------- */
+
+double FixTMSPHHeat::conductivity(int i, const double *direction) const
+{
+  const Substance &s = substances[atom->type[i]];
+  if (!s.orthotropic) return s.conductivity(atom->temperature[i]);
+  double k = 0.0;
+  for (int a = 0; a < 3; a++)
+    for (int b = 0; b < 3; b++) k += direction[a] * s.principal[3 * a + b] * direction[b];
+  return k;
+}
