@@ -39,7 +39,7 @@ static constexpr double SMALL_STEP = 0.1;
 
 int FixTMSPHHeat::setmask()
 {
-  return PRE_FORCE;
+  return PRE_FORCE | MIN_PRE_FORCE;    // for the setup before tmsph/quasistatic advances it
 }
 
 /* ---------------------------------------------------------------------- */
