@@ -39,7 +39,9 @@ static constexpr double SMALL_STEP = 0.1;
 
 int FixTMSPHHeat::setmask()
 {
-  return PRE_FORCE | (viscous ? END_OF_STEP : 0);
+  // the second for the setup before tmsph/quasistatic advances it
+
+  return PRE_FORCE | MIN_PRE_FORCE | (viscous ? END_OF_STEP : 0);
 }
 
 /* ---------------------------------------------------------------------- */
