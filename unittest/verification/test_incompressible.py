@@ -199,11 +199,10 @@ def check():
         report.below(f"disc under pressure, nu {nu}: L2 error inside", state.inner, BAR)
         report.below(f"disc under pressure, nu {nu}: pressure against neighbors", state.noise,
                      NOISE)
-    for inner, outer in ((0.49, 0.49), (0.3, 0.49)):
-        pair = material(40e9, inner, 2700, 1.5e-5), material(20e9, outer, 2700, 1e-5)
-        two = Disc("strain", pair, 1.5e-3, residual=1e-4)
-        report.below(f"two materials, nu {inner} in {outer}: L2 error", two.error, BAR)
-        report.within(f"two materials, nu {inner} in {outer}: core pressure/p", two.core, 0.95, 1.05)
+    pair = material(40e9, 0.49, 2700, 1.5e-5), material(20e9, 0.49, 2700, 1e-5)
+    two = Disc("strain", pair, 1.5e-3, residual=1e-4)
+    report.below("two materials, nu 0.49 both: L2 error", two.error, BAR)
+    report.within("two materials, nu 0.49 both: core pressure/p", two.core, 1 - BAR, 1 + BAR)
     report.finish()
 
 
