@@ -90,8 +90,8 @@ def cantilever(nu, options="", rows=12, jitter=0.0, residual=1e-5):
                   "group held region held\nfix held held setforce 0 0 0")
 
     middle = (x > H) & (x < L - H)
-    state = State(cloud, nu, options, prepare, exact, middle, middle & (np.abs(y) < c - 2 * SPACING),
-                  residual)
+    inner = middle & (np.abs(y) < c - 2 * SPACING)
+    state = State(cloud, nu, options, prepare, exact, middle, inner, residual)
     state.tip = state.frame["c_p[4]"][end].mean() / uy[end].mean()
     return state
 
@@ -158,9 +158,8 @@ def homogeneous(report, name, cells, nu, options, jitter):
 
 
 def tables():
-    plain = "dilatation plain"
     for nu in (0.3, 0.45, 0.49, 0.499, 0.4999):
-        for options in ("", plain) if nu == 0.45 else ("",):
+        for options in ("", "dilatation plain") if nu == 0.45 else ("",):
             state = cantilever(nu, options, 16, residual=1e-6)
             print(f"cantilever {nu} {options}: tip {state.tip:.4f}, {state}", flush=True)
             for load in ("spin", "pressure"):
