@@ -195,7 +195,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
 
   // averaged dilatation
   bool averaging;                                 // some material averages
-  std::vector<double> exchanged;                  // [nlocal+nghost] dilatations, then lambda times means
+  std::vector<double> exchanged;                  // [nlocal+nghost] theta, then lambda thetabar
   std::vector<double> mean_dilatation, pressure;  // [nlocal]
 
   // its interfaces

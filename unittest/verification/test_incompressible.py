@@ -90,8 +90,8 @@ def cantilever(nu, options="", rows=12, jitter=0.0, residual=1e-5):
                   "group held region held\nfix held held setforce 0 0 0")
 
     middle = (x > H) & (x < L - H)
-    state = State(cloud, nu, options, prepare, exact, middle, middle & (np.abs(y) < c - 2 * SPACING),
-                  residual)
+    inner = middle & (np.abs(y) < c - 2 * SPACING)
+    state = State(cloud, nu, options, prepare, exact, middle, inner, residual)
     state.tip = state.frame["c_p[4]"][end].mean() / uy[end].mean()
     return state
 
@@ -158,9 +158,8 @@ def homogeneous(report, name, cells, nu, options, jitter):
 
 
 def tables():
-    plain = "dilatation plain"
     for nu in (0.3, 0.45, 0.49, 0.499, 0.4999):
-        for options in ("", plain) if nu == 0.45 else ("",):
+        for options in ("", "dilatation plain") if nu == 0.45 else ("",):
             state = cantilever(nu, options, 16, residual=1e-6)
             print(f"cantilever {nu} {options}: tip {state.tip:.4f}, {state}", flush=True)
             for load in ("spin", "pressure"):
@@ -199,11 +198,10 @@ def check():
         report.below(f"disc under pressure, nu {nu}: L2 error inside", state.inner, BAR)
         report.below(f"disc under pressure, nu {nu}: pressure against neighbors", state.noise,
                      NOISE)
-    for inner, outer in ((0.49, 0.49), (0.3, 0.49)):
-        pair = material(40e9, inner, 2700, 1.5e-5), material(20e9, outer, 2700, 1e-5)
-        two = Disc("strain", pair, 1.5e-3, residual=1e-4)
-        report.below(f"two materials, nu {inner} in {outer}: L2 error", two.error, BAR)
-        report.within(f"two materials, nu {inner} in {outer}: core pressure/p", two.core, 0.95, 1.05)
+    pair = material(40e9, 0.49, 2700, 1.5e-5), material(20e9, 0.49, 2700, 1e-5)
+    two = Disc("strain", pair, 1.5e-3, residual=1e-4)
+    report.below("two materials, nu 0.49 both: L2 error", two.error, BAR)
+    report.within("two materials, nu 0.49 both: core pressure/p", two.core, 1 - BAR, 1 + BAR)
     report.finish()
 
 

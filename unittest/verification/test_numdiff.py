@@ -36,7 +36,8 @@ def check(report, materials, name, cells, options, periodic, heated):
     f, g = frame("fx fy fz"), frame("f_n[1] f_n[2] f_n[3]")
     error = np.abs(f - g).max() / np.abs(f).max()
     ratios = " and ".join(str(m["poisson"]) for m in materials)
-    report.below(f"nu {ratios}, {name} {options or 'default'}{', periodic ' + periodic if periodic else ''}"
+    where = f", periodic {periodic}" if periodic else ""
+    report.below(f"nu {ratios}, {name} {options or 'default'}{where}"
                  f"{', heated' if heated else ''}: force against energy", error, 1e-6)
 
 

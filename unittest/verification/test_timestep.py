@@ -20,8 +20,9 @@ def body(name, viscous):
     lattice_name, cells, jitter, options = BODIES[name]
     periodic = "xy" if "periodic" in name else ""
     cloud = lattice(lattice_name, cells, SPACING, periodic).jitter(jitter, 5)
-    cloud.type[np.abs(cloud.X - cloud.X.mean(axis=0)).max(axis=1) < 3 * SPACING] += "inclusion" in name
     rocks = [ROCK, SOFT] if "inclusion" in name else [ROCK]
+    inside = np.abs(cloud.X - cloud.X.mean(axis=0)).max(axis=1) < 3 * SPACING
+    cloud.type[inside] = len(rocks)
     scene = Scene(cloud, rocks, options + (" viscosity 1 2" if viscous else ""))
     return cloud, scene.add("compute dt all tmsph/dt\nrun 0")
 
