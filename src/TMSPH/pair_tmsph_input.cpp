@@ -32,8 +32,8 @@ static constexpr double MAX_POISSON = 0.45;
 
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
-    thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr), contact(nullptr),
-    contact_serves_heat(false),
+    thermal_mode(ThermalStrain::BOND), hourglass(0.1), bond_fix(nullptr), break_test(nullptr),
+    contact(nullptr), contact_serves_heat(false),
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0), stable_dt(0.0),
     intact_dt(0.0), reported(false), stepped(false), prepared_version(-1), what_to_send(FORCE_ROWS)
 {
@@ -200,8 +200,8 @@ void PairTMSPH::coeff(int narg, char **arg)
     if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "pair_coeff ... elastic " + word, error);
     *value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     if (value == &m.horizon && !(m.horizon > 0.0 && m.horizon <= cutoff))
-      error->all(FLERR, "Horizon {} in pair_coeff must be positive and not above that of pair_style "
-                        "tmsph, {}: give the largest there", arg[iarg + 1], cutoff);
+      error->all(FLERR, "Horizon {} in pair_coeff must be positive and not above that of "
+                        "pair_style tmsph, {}: give the largest there", arg[iarg + 1], cutoff);
   }
   if (m.young <= 0.0)
     error->all(FLERR, "Young's modulus {} in pair_coeff must be positive", arg[3]);
