@@ -31,11 +31,12 @@ namespace TMSPH {
     kernel has a thousandth of its middle value. */
 constexpr double SEARCH_MARGIN = 0.1;
 
-/** A particle is held at an outline if it is nearer than this many of the coarsest spacing, in front
-    and behind. */
+/** A particle is held at an outline if it is nearer than this many of the coarsest spacing, in
+    front and behind. */
 constexpr double OUTLINE_REACH = 1.5;
 
-/** What a force evaluation tells of each particle: F - I, velocity, acceleration, compliance Kc/m. */
+/** What a force evaluation tells of each particle: F - I, velocity, acceleration, compliance
+    Kc/m. */
 template <int D> struct ContactRow {
   static constexpr int H = 0, V = D * D, A = V + D, COMPLIANCE = A + D, WIDTH = COMPLIANCE + 1;
 };
@@ -116,7 +117,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   };
   /** What a particle with contacts remembers of its last step. */
   struct Memory {
-    double force[3] = {}, stress[6] = {};               // by contact; stress: share of the Cauchy stress
+    double force[3] = {}, stress[6] = {};            // by contact; share of the Cauchy stress
     double couple[3] = {}, couple_before[3] = {};    // for the next step, and of the last
     std::uint64_t stamp = 0;                         // fingerprint at the end of the run
     std::vector<Record> records;                     // of the reference family, ascending partners

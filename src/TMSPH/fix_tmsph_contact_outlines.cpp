@@ -137,7 +137,8 @@ void FixTMSPHContact::face()
   const int nlocal = atom->nlocal;
   const double margin = SEARCH_MARGIN * pair->horizon();
   const double reach = (2.0 * ROLLING * STRETCHED + OUTLINE_REACH) * s.coarsest + margin;
-  if (comm->get_comm_cutoff() < reach && (comm->nprocs > 1 || domain->xperiodic || domain->yperiodic))
+  const bool ghosts = comm->nprocs > 1 || domain->xperiodic || domain->yperiodic;
+  if (ghosts && comm->get_comm_cutoff() < reach)
     error->all(FLERR, "The ghost cutoff {} is shorter than the {:.6g} that method segment of fix "
                       "tmsph/contact needs on several processors or in a periodic box: raise it "
                       "with comm_modify cutoff", comm->get_comm_cutoff(), reach);
@@ -172,8 +173,8 @@ void FixTMSPHContact::face()
         if (dx * dx + dy * dy >= reach * reach) continue;
         const int end = domain->closest_image(j, atom->map(id));
         if (end < 0)
-          error->one(FLERR, "Particle {} of an outline of fix tmsph/contact is out of reach on step "
-                            "{}: raise the ghost cutoff with comm_modify cutoff", id,
+          error->one(FLERR, "Particle {} of an outline of fix tmsph/contact is out of reach on "
+                            "step {}: raise the ghost cutoff with comm_modify cutoff", id,
                      update->ntimestep);
         const double within = OUTLINE_REACH * s.coarsest + margin;
         if (square_from_segment(x, a, atom->x[end]) < within * within) near.emplace_back(j, end);

@@ -242,7 +242,9 @@ template <int D> int FixTMSPHContact::meet()
     const double size = 0.5 * (spacing_of(low) + spacing_of(high));
     const bool joins = stiff > 0.0 && neutral < depths + ROUGH * size;
     Met record = {atom->tag[j], {}, pair_of_them};
-    record.geometry.distance = are(Exposure::GIVEN, true) ? depths : joins ? neutral : std::min(depths, neutral);
+    record.geometry.distance = are(Exposure::GIVEN, true) ? depths
+        : joins                                          ? neutral
+                                                         : std::min(depths, neutral);
     record.geometry.share = one[Row::DEPTH] / depths;
     for (int k = 0; k < D - 1; k++) record.moved[k] = s.slip[k] / s.stretch;
     memories[atom->tag[i]].met.push_back(record);

@@ -204,8 +204,8 @@ void PairTMSPH::coeff(int narg, char **arg)
     if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "pair_coeff ... elastic " + word, error);
     *value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     if (value == &m.horizon && !(m.horizon > 0.0 && m.horizon <= cutoff))
-      error->all(FLERR, "Horizon {} in pair_coeff must be positive and not above that of pair_style "
-                        "tmsph, {}: give the largest there", arg[iarg + 1], cutoff);
+      error->all(FLERR, "Horizon {} in pair_coeff must be positive and not above that of "
+                        "pair_style tmsph, {}: give the largest there", arg[iarg + 1], cutoff);
   }
   if (m.young <= 0.0)
     error->all(FLERR, "Young's modulus {} in pair_coeff must be positive", arg[3]);
