@@ -33,7 +33,7 @@ static constexpr double STRENGTH = 2.5e-4;     // of Young's modulus, where no s
 /* ---------------------------------------------------------------------- */
 
 TMSPHQuasistatic::TMSPHQuasistatic(LAMMPS *lmp) :
-    Command(lmp), nsteps(0), change(2.0), residual{1.0e-4, 1.0e-3}, breaking(0.9), jump(true),
+    Command(lmp), nsteps(0), change(2.0), residual{1.0e-4, 1.0e-3}, breaking(0.8), jump(true),
     stride(0.01), evaluations(20000), pair(nullptr), rock(nullptr), solver(nullptr), unit(0.0), load(-1.0),
     load_before(-1.0), covered(0), count{0, 0, 0, 0, 0, 0, 0}
 {
@@ -74,7 +74,7 @@ void TMSPHQuasistatic::parse(int narg, char **arg)
     } else if (word == "breaking") {
       breaking = number(iarg + 1);
       if (!(breaking > 0.0) || breaking > 1.0)
-        reject("it must lie above 0 and at most at 1; 0.9 is usual");
+        reject("it must lie above 0 and at most at 1; 0.8 is usual");
     } else if (word == "stride") {
       stride = number(iarg + 1);
       if (!(stride > 0.0)) reject("a wall must be allowed to move; 0.01 spacings is usual");

@@ -114,10 +114,10 @@ def decomposition(report, reference):
     report.below("run after it: kinetic/potential energy", share, 1e-3)
 
 
-def energies(report, what, scene, run_words, less=1.0):
+def energies(report, what, scene, run_words, less=1.0, dmax=0.01 * SPACING):
     """Of the minimum that two minimizers find, and their cost."""
     found = {}
-    for style, options in (("cg", f"line forcezero dmax {0.01 * SPACING}"), ("tmsph/lbfgs", "norm two")):
+    for style, options in (("cg", f"line forcezero dmax {dmax}"), ("tmsph/lbfgs", "norm two")):
         run = Script("\n".join(scene.lines), scene.files).add(
             f"min_style {style}\nmin_modify {options}\n{run_words}").run()
         cost = re.findall(r"evaluations = \d+ (\d+)", run.log)
@@ -151,7 +151,7 @@ def minima(report):
                    "create_atoms 1 box\nmass 1 1\npair_style lj/cut 2.5\npair_coeff 1 1 1 1\n"
                    "region a block 1 2 1 2 1 2\ngroup a region a\ndisplace_atoms a random 0.1 0.1 0.1 "
                    "4711\nthermo_style custom step pe\nthermo_modify norm no format float %.17g")
-    energies(report, "Lennard-Jones", other, "minimize 0 1e-6 20000 99999")
+    energies(report, "Lennard-Jones", other, "minimize 0 1e-6 20000 99999", dmax=0.1)
 
     positions = []
     for ranks in (1, 2, 4):
@@ -166,7 +166,7 @@ def pressed(report):
     block = lattice("square", (12, 12), SPACING)
     height = 12 * SPACING
     forces = []
-    for stride in (0.1, 0.01):
+    for stride in (0.1, 0.001):
         scene = Scene(block, [material(40e9, 0.2)], "plane strain").add(
             f"fix low all tmsph/wall line 0 0 1 0\n"
             f"fix top all tmsph/wall line 1 {height} 0 {height} velocity 0 -1e-5\n"
