@@ -3,7 +3,7 @@
 dynamic run, what the table of events and the outputs say, the same results to the last bit on
 any number of processors and from restarts; minima against those of LAMMPS's conjugate
 gradients, in fewer force evaluations, in 2-D and 3-D, with held particles and without bonds;
-a block under a wall that moves."""
+a block under a wall that moves; an inclusion and cracks that touch with friction."""
 
 import re
 
@@ -184,10 +184,25 @@ def pressed(report):
     report.below("force against uniaxial plane strain", abs(forces[1] / exact - 1), 0.02)
 
 
+def touching(report):
+    """An inclusion that is not bonded but rubs, and faces of cracks."""
+    runs = []
+    for ranks in (1, 2):
+        scene = Scene(CLOUD, disc_materials(False), "viscosity 1 2").add(
+            "pair_coeff 1 2 none\nfix rub all tmsph/contact friction * * 0.3")
+        runs.append(ending(fixes(scene, "tmsph/quasistatic 3500")).run(ranks))
+    run = runs[0]
+    report.above("with friction: bonds broken", len(events(run)), 2)
+    report.true("with friction: equilibrium on all steps", "not found" not in run.log, "no warning")
+    report.below("with friction: force evaluations/steps", evaluations(run) / 3500, 1)
+    report.below("with friction: on 2 processors, values that differ", differing(runs[1], run), 1)
+
+
 if __name__ == "__main__":
     report = Report()
     reference = sequence(report)
     decomposition(report, reference)
     minima(report)
     pressed(report)
+    touching(report)
     report.finish()
