@@ -27,6 +27,7 @@ class MinTMSPHLBFGS : public Min {
   void reset_vectors() override;
   int modify_param(int, char **) override;
   int iterate(int) override;
+  double memory_usage() override { return preconditioner.memory_usage(); }
 
   /** Looks for equilibrium on the present time step, without output and energies.
       @param norm      Euclidean norm of all forces to reach

@@ -3,7 +3,7 @@
 dynamic run, what the table of events and the outputs say, the same results to the last bit on
 any number of processors and from restarts; minima against those of LAMMPS's conjugate
 gradients, in fewer force evaluations, in 2-D and 3-D, with held particles and without bonds;
-a block under a wall that moves."""
+a block under a wall that moves; an inclusion and cracks that touch with friction."""
 
 import re
 
@@ -114,10 +114,10 @@ def decomposition(report, reference):
     report.below("run after it: kinetic/potential energy", share, 1e-3)
 
 
-def energies(report, what, scene, run_words, less=1.0):
+def energies(report, what, scene, run_words, less=1.0, dmax=0.01 * SPACING):
     """Of the minimum that two minimizers find, and their cost."""
     found = {}
-    for style, options in (("cg", f"line forcezero dmax {0.01 * SPACING}"), ("tmsph/lbfgs", "norm two")):
+    for style, options in (("cg", f"line forcezero dmax {dmax}"), ("tmsph/lbfgs", "norm two")):
         run = Script("\n".join(scene.lines), scene.files).add(
             f"min_style {style}\nmin_modify {options}\n{run_words}").run()
         cost = re.findall(r"evaluations = \d+ (\d+)", run.log)
@@ -151,7 +151,7 @@ def minima(report):
                    "create_atoms 1 box\nmass 1 1\npair_style lj/cut 2.5\npair_coeff 1 1 1 1\n"
                    "region a block 1 2 1 2 1 2\ngroup a region a\ndisplace_atoms a random 0.1 0.1 0.1 "
                    "4711\nthermo_style custom step pe\nthermo_modify norm no format float %.17g")
-    energies(report, "Lennard-Jones", other, "minimize 0 1e-6 20000 99999")
+    energies(report, "Lennard-Jones", other, "minimize 0 1e-6 20000 99999", dmax=0.1)
 
     positions = []
     for ranks in (1, 2, 4):
@@ -166,7 +166,7 @@ def pressed(report):
     block = lattice("square", (12, 12), SPACING)
     height = 12 * SPACING
     forces = []
-    for stride in (0.1, 0.01):
+    for stride in (0.1, 0.001):
         scene = Scene(block, [material(40e9, 0.2)], "plane strain").add(
             f"fix low all tmsph/wall line 0 0 1 0\n"
             f"fix top all tmsph/wall line 1 {height} 0 {height} velocity 0 -1e-5\n"
@@ -184,10 +184,25 @@ def pressed(report):
     report.below("force against uniaxial plane strain", abs(forces[1] / exact - 1), 0.02)
 
 
+def touching(report):
+    """An inclusion that is not bonded but rubs, and faces of cracks."""
+    runs = []
+    for ranks in (1, 2):
+        scene = Scene(CLOUD, disc_materials(False), "viscosity 1 2").add(
+            "pair_coeff 1 2 none\nfix rub all tmsph/contact friction * * 0.3")
+        runs.append(ending(fixes(scene, "tmsph/quasistatic 3500")).run(ranks))
+    run = runs[0]
+    report.above("with friction: bonds broken", len(events(run)), 2)
+    report.true("with friction: equilibrium on all steps", "not found" not in run.log, "no warning")
+    report.below("with friction: force evaluations/steps", evaluations(run) / 3500, 1)
+    report.below("with friction: on 2 processors, values that differ", differing(runs[1], run), 1)
+
+
 if __name__ == "__main__":
     report = Report()
     reference = sequence(report)
     decomposition(report, reference)
     minima(report)
     pressed(report)
+    touching(report)
     report.finish()
