@@ -1,7 +1,8 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Disc of lattice particles whose rim is suddenly hot, or takes heat by convection, against the
 Bessel series. The region gives the circle that the staircase of the lattice stands for; it has the
-area of the particles. Convection needs its length as well. With "all": 80 particles along the radius too, for the report."""
+area of the particles. Convection needs its length as well. With "all": up to 80 particles along
+the radius, for the report."""
 
 from heat_scenes import *
 
