@@ -69,19 +69,24 @@ template <int D> class CoarseGrid {
     const Place p = place(X, g);
     for (int a = 0; a < CORNERS; a++)
       for (int b = 0; b < CORNERS; b++) {
-        int offset = 0;
         double product = 0.0;
-        for (int k = D - 1; k >= 0; k--) {
-          offset = 3 * offset + 1 + (b >> k & 1) - (a >> k & 1);
-          product += g[a][k] * g[b][k];
-        }
-        std::int64_t *block = stiffness + ((size_t) p.node[a] * OFFSETS + offset) * D * D;
+        for (int k = 0; k < D; k++) product += g[a][k] * g[b][k];
+        std::int64_t *entry = stiffness + block(p, a, b);
         for (int r = 0; r < D; r++)
           for (int c = 0; c < D; c++)
-            block[D * r + c] += (std::int64_t) (scale * (lambda * g[a][r] * g[b][c] +
+            entry[D * r + c] += (std::int64_t) (scale * (lambda * g[a][r] * g[b][c] +
                                                          shear * g[a][c] * g[b][r] +
                                                          (r == c ? shear * product : 0.0)));
       }
+  }
+
+  /// adds a spring that holds component k of the displacement at a place
+  void add_spring(const Place &p, int k, double spring, double scale, std::int64_t *stiffness) const
+  {
+    for (int a = 0; a < CORNERS; a++)
+      for (int b = 0; b < CORNERS; b++)
+        stiffness[block(p, a, b) + D * k + k] +=
+            (std::int64_t) (scale * spring * p.weight[a] * p.weight[b]);
   }
 
   /** Factorizes the sum of the stiffnesses of all points. A free body turns and shifts without
@@ -119,6 +124,14 @@ template <int D> class CoarseGrid {
   std::array<double, D> width, origin;
   std::array<bool, D> wraps;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
+
+  /// where the stiffness between two corners is stored
+  static size_t block(const Place &p, int a, int b)
+  {
+    int offset = 0;
+    for (int k = D - 1; k >= 0; k--) offset = 3 * offset + 1 + (b >> k & 1) - (a >> k & 1);
+    return ((size_t) p.node[a] * OFFSETS + offset) * D * D;
+  }
 
   Place place(const double *X, Slope &slope) const
   {

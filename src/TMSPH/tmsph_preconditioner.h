@@ -21,7 +21,7 @@ class TMSPHPreconditioner : protected Pointers {
   TMSPHPreconditioner(class LAMMPS *);
   /// builds the grid anew for the next use; without a pair style tmsph nothing is done to forces
   void init(class PairTMSPH *);
-  /// replaces forces by displacements; where a force component is zero there is none
+  /// replaces forces by displacements; where a force component is zero, the particle is held
   void apply(TMSPH::LBFGS::Vector &);
   double memory_usage() const;
 
@@ -35,13 +35,17 @@ class TMSPHPreconditioner : protected Pointers {
   int version;                       // layout that the arrays below belong to
   std::vector<double> compliance;    // of local particles
   double largest_compliance;
+  int64_t held;                      // components for which the grid was built
+  int rebuilds;
   std::vector<int64_t> mine, all;
   Level<2> plane;
   Level<3> space;
 
   template <int D> Level<D> &level();
-  template <int D> void build();
+  template <int D> void make_grid();
+  template <int D> void build(const double *forces);
   template <int D> void follow();
+  template <int D> bool restrict(const TMSPH::LBFGS::Vector &, Eigen::VectorXd &);
   template <int D> void apply_in(TMSPH::LBFGS::Vector &);
 };
 

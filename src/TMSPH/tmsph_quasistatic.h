@@ -31,7 +31,7 @@ class TMSPHQuasistatic : public Command {
   enum { BEFORE, RATE };        // displacements at the start of a step, their growth per time step
   int nsteps;
   double change;                // of a temperature in a step
-  double residual[2];           // until the first break, and after it
+  double residual[2];           // before the clock goes on, and while bonds break
   double breaking;              // load factor of the bonds that break, of the largest one
   bool jump;
   double stride;                // of a wall in a step, in particle spacings
@@ -42,7 +42,7 @@ class TMSPHQuasistatic : public Command {
   class MinTMSPHLBFGS *solver;
   std::vector<TMSPHHeatClock *> clocks;
   std::vector<class FixTMSPHWall *> walls;
-  std::vector<int> stops;       // periods of fixes that act at the end of a step
+  std::vector<class Fix *> stops;    // that act at the end of a step
   double unit;                  // of the norm of all forces, for the residual
 
   // the way to the first break
@@ -63,7 +63,7 @@ class TMSPHQuasistatic : public Command {
   bool any_broken() const;
   void extrapolate(int steps);
   void note_rate(int steps);
-  void find_equilibrium();
+  void find_equilibrium(double rms);
   void write_output();
   void tell() const;
 };

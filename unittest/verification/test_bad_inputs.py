@@ -55,6 +55,8 @@ CONTACT = "fix touch all tmsph/contact "
 WALL = "fix wall all tmsph/wall "
 LINE = WALL + "line 0 -9e-3 1 -9e-3 "
 ELASTIC = "pair_coeff 1 1 elastic "
+QUASI = "tmsph/quasistatic "
+MINIMIZE = "\nminimize 0 1e-3 10 100"
 
 # Scene, sections replaced, words that the message must hold in this order; "|" separates them
 
@@ -277,6 +279,32 @@ CASES = [
     (PLATE, dict(more="compute b all tmsph/bond/local id1 age"), "age|use id1"),
     (PLATE, dict(more="compute b all tmsph/bond/local id1 only bent"), "bent|use all"),
     (PLATE, dict(more="compute b all tmsph/bond/local id1 only"), "only|missing"),
+    (PLATE, dict(run="tmsph/quasistatic"), "tmsph/quasistatic|missing"),
+    (PLATE, dict(run=QUASI + "ten"), "integer|ten"),
+    (PLATE, dict(run=QUASI + "-5"), "-5|tmsph/quasistatic|negative"),
+    (PLATE, dict(run=QUASI + "10 charge 1"), "charge|tmsph/quasistatic|use change"),
+    (PLATE, dict(run=QUASI + "10 change"), "tmsph/quasistatic change|missing"),
+    (PLATE, dict(run=QUASI + "10 change 0"), "tmsph/quasistatic change 0|positive"),
+    (PLATE, dict(run=QUASI + "10 residual 0"), "tmsph/quasistatic residual 0|positive"),
+    (PLATE, dict(run=QUASI + "10 residual 1e-4 -1e-3"), "tmsph/quasistatic residual|positive"),
+    (PLATE, dict(run=QUASI + "10 breaking 1.5"), "tmsph/quasistatic breaking 1.5|at most"),
+    (PLATE, dict(run=QUASI + "10 jump far"), "boolean|far"),
+    (PLATE, dict(run=QUASI + "10 stride 0"), "tmsph/quasistatic stride 0|wall"),
+    (PLATE, dict(run=QUASI + "10 evaluations 0"), "tmsph/quasistatic evaluations 0|most"),
+    (PLATE, dict(space=QUASI + "10"), "tmsph/quasistatic before the simulation box"),
+    (PLATE, {"pair": "", "coeff": "", "break": "", "run": QUASI + "10"},
+     "tmsph/quasistatic needs pair style tmsph"),
+    (PLATE, dict(more="fix m all move linear 1 0 0", run=QUASI + "10"),
+     "Fix m|move|setforce|displace_atoms"),
+    (PERIODIC, dict(more="fix d all deform 1 x erate 1", run=QUASI + "10"),
+     "Fix d|deform|box|tmsph/quasistatic"),
+    (PLATE, dict(more=LINE + "load 0 1 mass 1", run=QUASI + "10"),
+     "tmsph/wall wall|load|tmsph/quasistatic|velocity"),
+    (PLATE, dict(run="min_style tmsph/lbfgs\nmin_modify memory 0" + MINIMIZE), "memory 0|1 to 100"),
+    (PLATE, dict(run="min_style tmsph/lbfgs\nmin_modify memory"), "min_modify memory|missing"),
+    (PLATE, dict(run="min_style tmsph/lbfgs\nmin_modify dmax -1" + MINIMIZE), "dmax -1|positive"),
+    (PERIODIC, dict(more="fix b all box/relax x 0", run="min_style tmsph/lbfgs" + MINIMIZE),
+     "tmsph/lbfgs|box/relax"),
 ]
 
 

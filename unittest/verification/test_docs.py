@@ -21,9 +21,10 @@ SECTIONS = {
     "fix": COMMON[:3] + ["Restart, fix_modify, output, run start/stop, minimize info"] + COMMON[3:],
     "compute": COMMON[:3] + ["Output info"] + COMMON[3:],
     "command": COMMON,
+    "minimize": COMMON,
 }
 INDEX = {"pair": "pair_style {}", "fix": "fix {}", "compute": "compute {}", "command": "{}",
-         "atom": "atom_style {}"}
+         "minimize": "min_style {}", "atom": "atom_style {}"}
 IN_THE_HOWTO = ["atom_style tmsph", "fix tmsph/bond"]
 
 faults = []
