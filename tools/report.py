@@ -48,7 +48,7 @@ def measure(option, chosen, counts, lmp):
     """Takes the measurements and writes the tables of those that were chosen."""
     store = Store(option.results, lmp)
     total = sum(len(list(accuracy.cases(study, option.full))) for study in chosen)
-    progress = Progress(total)
+    progress = Progress(total + costs.number_of_tasks(counts, option.full))
     for study in chosen:
         rows = accuracy.measure(study, store, option.full, progress)
         accuracy.write_table(DATA / f"{study.name}.csv", rows)

@@ -111,15 +111,17 @@ def observed_order(rows):
 
 
 def time_to(rows, target):
-    """Run time to reach an error, interpolated on log axes; None if it is not reached."""
-    for k, row in enumerate(rows):
-        if row["error"] <= target:
-            if k == 0 or row["error"] <= 0:
-                return row["seconds"]
-            a, b = rows[k - 1], row
-            share = math.log(a["error"] / target) / math.log(a["error"] / b["error"])
-            return math.exp(math.log(a["seconds"]) * (1 - share) + math.log(b["seconds"]) * share)
-    return None
+    """Run time to reach an error and to keep below it at all finer sizes, interpolated on log
+    axes; None if it is not reached."""
+    above = [k for k, row in enumerate(rows) if row["error"] > target]
+    first = above[-1] + 1 if above else 0
+    if first == len(rows):
+        return None
+    if not above or rows[first]["error"] <= 0:
+        return rows[first]["seconds"]
+    a, b = rows[first - 1], rows[first]
+    share = math.log(a["error"] / target) / math.log(a["error"] / b["error"])
+    return math.exp(math.log(a["seconds"]) * (1 - share) + math.log(b["seconds"]) * share)
 
 
 def relative_time(study, rows, label):
@@ -230,13 +232,17 @@ processor in the loop of `run` or `minimize`, without set-up, on one core unless
 the median of runs of which all take turns. The order is that between the two finest sizes.
 The default counts as on the front if no other kernel, horizon, hourglass, thermal or elastic
 law and no viscosity reaches the error of the default at its finest but one size in less than
-1/1.1 of its time. Where an error passes through zero, the order means nothing."""
+1/1.1 of its time. A time to an error is that from which on all finer sizes keep below it. Where an
+error passes through zero, the order means nothing."""
 
 
 COMPARISON = """\
 Run time to the error that the default has at its finest but one size, over the run time of the
 default: below 1 is faster than the default; - does not reach that error at the sizes that were
-run."""
+run. Where the solution is smooth, as in waves and in the far field, a horizon of 2.5 spacings, the
+quintic kernel, more hourglass control or the thermal strain in place of thermal bonds can be
+faster. At the interface of two materials, where the stress jumps and cracks start, the default is
+at the front or near it, and weak hourglass control or the thermal strain do not reach its error."""
 
 
 def page(measured):

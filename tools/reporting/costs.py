@@ -12,7 +12,6 @@ import time
 from pathlib import Path
 
 import speed
-
 from speed import environment, table
 from tmsph_testing import ALONE, Cost
 
@@ -62,9 +61,19 @@ def run(lmp, body, feature):
             "breaking_doubles": int(more[1]) if more else 0}
 
 
+def rounds_of(full):
+    return 9 if full else 5
+
+
+def number_of_tasks(counts, full):
+    """As the progress counts them."""
+    rounds = len(BODIES) * rounds_of(full) if counts else 0
+    return rounds + (len(BODIES) * len(FEATURES) if "instructions" in counts else 0)
+
+
 def measure(store, lmp, full, progress):
     depends = digest(INPUT.read_text(), (Path(speed.INPUTS) / "body.lmp").read_text())
-    rounds = 9 if full else 5
+    rounds = rounds_of(full)
     rows = []
     for body in BODIES:
         results = {feature: [] for feature in FEATURES}
@@ -88,9 +97,12 @@ def measure(store, lmp, full, progress):
 # ---- instructions ----
 
 def portable():
-    """The lmp without instructions of this processor that valgrind may not know."""
-    return subprocess.check_output([ROOT / "tmsph", "where"], text=True,
-                                   env=dict(os.environ, TMSPH_NATIVE="off")).strip()
+    """An lmp with this package alone, without instructions of this processor that valgrind may not
+    know."""
+    others = ("MACHDYN", "PERI", "BPM", "GRANULAR", "MOLECULE", "EXTRA-FIX", "PLUGIN")
+    options = " ".join(["-D TMSPH_TESTS=off"] + [f"-D PKG_{name}=off" for name in others])
+    env = dict(os.environ, TMSPH_NATIVE="off", TMSPH_CMAKE=options)
+    return subprocess.check_output([ROOT / "tmsph", "where"], text=True, env=env).strip()
 
 
 def count(lmp, values):

@@ -77,8 +77,12 @@ class Store:
 
 
 def source_of(scene):
-    """Text of the file in which a scene is defined."""
-    return Path(inspect.getsourcefile(scene)).read_text()
+    """Text of the file in which a scene is defined, and of the inputs that it names."""
+    files = [Path(inspect.getsourcefile(scene))]
+    if hasattr(scene, "inputs"):
+        files += sorted(path for path in scene.inputs.glob("*") if path.name.startswith("in.")
+                        or path.suffix == ".lmp")
+    return "".join(path.read_text() for path in files)
 
 
 class Progress:

@@ -30,8 +30,8 @@ def error_against_time(path, title, curves, error_name, default, mark=None, note
                 label="Pareto front", zorder=1)
     others = [label for label in curves if label != default]
     for k, label in enumerate(others):
-        ax.plot(*zip(*curves[label]), color=COLORS[k % len(COLORS)], marker=MARKERS[k % len(MARKERS)],
-                ms=4.5, lw=1.1, label=label, zorder=2)
+        ax.plot(*zip(*curves[label]), color=COLORS[k % len(COLORS)],
+                marker=MARKERS[k % len(MARKERS)], ms=4.5, lw=1.1, label=label, zorder=2)
     if default in curves:
         ax.plot(*zip(*curves[default]), color="k", marker="o", ms=7, lw=2.2, zorder=3,
                 label=default)
@@ -39,8 +39,8 @@ def error_against_time(path, title, curves, error_name, default, mark=None, note
     ax.set_yscale("log")
     if mark:
         ax.axhline(mark, color="0.5", lw=0.8, ls=":")
-        ax.annotate(f"{100 * mark:g} %" if mark > 1e-4 else f"{mark:g}", (1.0, mark), xycoords=("axes fraction", "data"),
-                    xytext=(-3, 2), textcoords="offset points", ha="right", fontsize=7.5,
+        ax.annotate(f"{100 * mark:g} %" if mark > 1e-4 else f"{mark:g}", (1.0, mark),
+                    xycoords=("axes fraction", "data"), xytext=(-3, 2), textcoords="offset points", ha="right", fontsize=7.5,
                     color="0.35")
     ax.grid(True, which="major", color="0.9", lw=0.6)
     ax.set_xlabel("run time, seconds of one core" + note)

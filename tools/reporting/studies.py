@@ -55,7 +55,7 @@ class Study:
 
 DEFAULT = "default"
 # the options that have a default in the package; others belong to the user and the scene
-JUDGED = ("kernel", "horizon", "hourglass", "thermal", "viscosity", "no viscosity", "law",
+JUDGED = ("kernel", "horizon", "hourglass", "thermal", "viscosity", "law",
           "subcycle")
 KERNELS = {"kernel cubic": {"options": "kernel cubic"},
            "kernel quintic": {"options": "kernel quintic"}}

@@ -11,8 +11,10 @@ PUSH = 8e-3
 
 
 class Slide:
+    inputs = ROOT / "examples" / "slide"
+
     def __init__(self, ranks=1, **variables):
-        text = (ROOT / "examples/slide/in.slide").read_text()
+        text = (self.inputs / "in.slide").read_text()
         head = "\n".join(f"variable {name} index {value}" for name, value in variables.items())
         self.push = float(variables.get("push", PUSH))
         run = Script(head + "\ninclude in.slide", {"in.slide": text}).run(ranks)
