@@ -47,7 +47,8 @@ class MinTMSPHLBFGS : public Min {
   double *extra_vector(int n) { return fix_vector(EXTRA + n); }
 
  private:
-  enum { START, DIRECTION, FORMER, SCALED, EXTRA, HISTORY = EXTRA + 2 };    // vectors of the particles
+  /// vectors of the particles
+  enum { START, DIRECTION, FORMER, SCALED, EXTRA, HISTORY = EXTRA + 2 };
   TMSPH::LBFGS lbfgs;
   TMSPHPreconditioner preconditioner;
   double longest;               // no particle moves farther in an iteration

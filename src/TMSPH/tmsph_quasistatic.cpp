@@ -60,8 +60,8 @@ class Stand {
 
 TMSPHQuasistatic::TMSPHQuasistatic(LAMMPS *lmp) :
     Command(lmp), nsteps(0), change(2.0), residual{1.0e-4, 1.0e-3}, breaking(0.8), jump(true),
-    stride(0.01), evaluations(20000), pair(nullptr), rock(nullptr), solver(nullptr), unit(0.0), load(-1.0),
-    load_before(-1.0), covered(0), count{0, 0, 0, 0, 0, 0, 0}
+    stride(0.01), evaluations(20000), pair(nullptr), rock(nullptr), solver(nullptr), unit(0.0),
+    load(-1.0), load_before(-1.0), covered(0), count{0, 0, 0, 0, 0, 0, 0}
 {
 }
 
@@ -325,7 +325,7 @@ void TMSPHQuasistatic::take_step(int steps)
 }
 
 /* ----------------------------------------------------------------------
-   whatever a restart file does not have
+   forget whatever a restart file does not have, and see forces as its setup does
 ------------------------------------------------------------------------- */
 
 void TMSPHQuasistatic::start_afresh()
@@ -334,6 +334,9 @@ void TMSPHQuasistatic::start_afresh()
   std::fill_n(solver->extra_vector(RATE), 3 * (size_t) atom->nlocal, 0.0);
   load = load_before = -1.0;
   covered = 0;
+  update->setupflag = 1;
+  solver->update_forces();
+  update->setupflag = 0;
 }
 
 /* ----------------------------------------------------------------------
@@ -388,10 +391,11 @@ void TMSPHQuasistatic::write_output()
   solver->update_all();
   if (acts) modify->end_of_step();
   if (output->next != now) return;
-  if (output->next_restart == now) start_afresh();
+  const bool restart = output->next_restart == now;
   timer->stamp();
   output->write(now);
   timer->stamp(Timer::OUTPUT);
+  if (restart) start_afresh();
 }
 
 /* ---------------------------------------------------------------------- */
