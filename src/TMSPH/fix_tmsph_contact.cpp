@@ -290,14 +290,15 @@ void FixTMSPHContact::add_virial()
 
 /* ----------------------------------------------------------------------
    Pair forces off the line of centres turn a pair. The bonds of both ends
-   balance that on the next step; in a repeated one as they did then.
+   balance that in the next force evaluation, without which a free body would have no
+   equilibrium; in a repeated step as they did then.
 ------------------------------------------------------------------------- */
 
 const std::vector<PairTMSPH::Contact::Couple> &FixTMSPHContact::couples()
 {
   follow(false);
   couple_list.clear();
-  if (update->whichflag == 2 || (update->setupflag && !resumed)) return couple_list;
+  if (update->setupflag && !resumed) return couple_list;
   for (const Member &m : members) {
     const double *c = update->setupflag ? m.memory->couple_before : m.memory->couple;
     couple_list.push_back({m.i, {c[0], c[1], c[2]}});

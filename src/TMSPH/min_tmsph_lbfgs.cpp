@@ -79,8 +79,8 @@ void MinTMSPHLBFGS::init()
 void MinTMSPHLBFGS::setup_style()
 {
   if (nextra_global || nextra_atom)
-    error->all(FLERR, "Min style tmsph/lbfgs moves particles only: it cannot serve fix box/relax or "
-                      "other degrees of freedom");
+    error->all(FLERR, "Min style tmsph/lbfgs moves particles only: it cannot serve fix box/relax "
+                      "or other degrees of freedom");
   for (int n = 0; n < HISTORY + 2 * lbfgs.memory(); n++) fix_minimize->add_vector(3);
 }
 

@@ -27,6 +27,7 @@ class MinTMSPHLBFGS : public Min {
   void reset_vectors() override;
   int modify_param(int, char **) override;
   int iterate(int) override;
+  double memory_usage() override { return preconditioner.memory_usage(); }
 
   /** Looks for equilibrium on the present time step, without output and energies.
       @param norm      Euclidean norm of all forces to reach
@@ -46,7 +47,8 @@ class MinTMSPHLBFGS : public Min {
   double *extra_vector(int n) { return fix_vector(EXTRA + n); }
 
  private:
-  enum { START, DIRECTION, FORMER, SCALED, EXTRA, HISTORY = EXTRA + 2 };    // vectors of the particles
+  /// vectors of the particles
+  enum { START, DIRECTION, FORMER, SCALED, EXTRA, HISTORY = EXTRA + 2 };
   TMSPH::LBFGS lbfgs;
   TMSPHPreconditioner preconditioner;
   double longest;               // no particle moves farther in an iteration

@@ -30,12 +30,38 @@ using namespace LAMMPS_NS;
 static constexpr double JUMP = 0.98;           // of the way to the first break
 static constexpr double STRENGTH = 2.5e-4;     // of Young's modulus, where no strength is given
 
+/* ----------------------------------------------------------------------
+   a minimizer in the place of the user's, which keeps its settings, until the end of a scope
+------------------------------------------------------------------------- */
+
+namespace {
+class Stand {
+ public:
+  Stand(Update *place, Min *solver) :
+      update(place), former(place->minimize), former_style(place->minimize_style)
+  {
+    update->minimize = solver;
+    update->minimize_style = style;
+  }
+  ~Stand()
+  {
+    update->minimize = former;
+    update->minimize_style = former_style;
+  }
+
+ private:
+  Update *update;
+  Min *former;
+  char *former_style, style[12] = "tmsph/lbfgs";
+};
+}    // namespace
+
 /* ---------------------------------------------------------------------- */
 
 TMSPHQuasistatic::TMSPHQuasistatic(LAMMPS *lmp) :
     Command(lmp), nsteps(0), change(2.0), residual{1.0e-4, 1.0e-3}, breaking(0.8), jump(true),
-    stride(0.01), evaluations(20000), pair(nullptr), rock(nullptr), solver(nullptr), unit(0.0), load(-1.0),
-    load_before(-1.0), covered(0), count{0, 0, 0, 0, 0, 0, 0}
+    stride(0.01), evaluations(20000), pair(nullptr), rock(nullptr), solver(nullptr), unit(0.0),
+    load(-1.0), load_before(-1.0), covered(0), count{0, 0, 0, 0, 0, 0, 0}
 {
 }
 
@@ -138,14 +164,9 @@ void TMSPHQuasistatic::command(int narg, char **arg)
   if (timer->is_timeout()) return;
   check_fixes();
 
-  // a solver of its own: that of the user keeps its settings
-
   MinTMSPHLBFGS lbfgs(lmp);
+  Stand stand(update, &lbfgs);
   solver = &lbfgs;
-  Min *users = update->minimize;
-  char style[] = "tmsph/lbfgs", *users_style = update->minimize_style;
-  update->minimize = &lbfgs;
-  update->minimize_style = style;
   update->etol = update->ftol = 0.0;
   update->max_eval = MAXSMALLINT;
   update->whichflag = 2;
@@ -181,8 +202,6 @@ void TMSPHQuasistatic::command(int narg, char **arg)
   finish.end(1);
   tell();
 
-  update->minimize = users;
-  update->minimize_style = users_style;
   update->whichflag = 0;
   update->firststep = update->laststep = 0;
   update->beginstep = update->endstep = 0;
@@ -306,7 +325,7 @@ void TMSPHQuasistatic::take_step(int steps)
 }
 
 /* ----------------------------------------------------------------------
-   whatever a restart file does not have
+   forget whatever a restart file does not have, and see forces as its setup does
 ------------------------------------------------------------------------- */
 
 void TMSPHQuasistatic::start_afresh()
@@ -315,6 +334,9 @@ void TMSPHQuasistatic::start_afresh()
   std::fill_n(solver->extra_vector(RATE), 3 * (size_t) atom->nlocal, 0.0);
   load = load_before = -1.0;
   covered = 0;
+  update->setupflag = 1;
+  solver->update_forces();
+  update->setupflag = 0;
 }
 
 /* ----------------------------------------------------------------------
@@ -369,10 +391,11 @@ void TMSPHQuasistatic::write_output()
   solver->update_all();
   if (acts) modify->end_of_step();
   if (output->next != now) return;
-  if (output->next_restart == now) start_afresh();
+  const bool restart = output->next_restart == now;
   timer->stamp();
   output->write(now);
   timer->stamp(Timer::OUTPUT);
+  if (restart) start_afresh();
 }
 
 /* ---------------------------------------------------------------------- */

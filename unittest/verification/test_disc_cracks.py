@@ -2,8 +2,9 @@
 """The heated disc of examples/disc at 1 mm, three draws of the strengths, and the
 expansions exchanged. First break against the exact elastic field with the drawn
 strengths, lengths and number of the radial cracks, the circumferential crack, and
-that nothing flies apart or passes through another; one draw also quasi-static. Paths depend on the draw: what is
-tested are temperatures and counts: main cracks by 160 to 180 degrees, through by 220 to 260.
+that nothing flies apart or passes through another; one draw also quasi-static. Paths
+depend on the draw: what is tested are temperatures and counts: main cracks by 160 to 180
+degrees, through by 220 to 260.
 
 A particle is in a crack when a quarter of its bonds is broken: a straight crack takes
 two fifths of the bonds of the particles along it. Cracks are clusters of such particles

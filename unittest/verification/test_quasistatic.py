@@ -3,7 +3,7 @@
 dynamic run, what the table of events and the outputs say, the same results to the last bit on
 any number of processors and from restarts; minima against those of LAMMPS's conjugate
 gradients, in fewer force evaluations, in 2-D and 3-D, with held particles and without bonds;
-a block under a wall that moves."""
+a block under a wall that moves; an inclusion and cracks that touch with friction."""
 
 import re
 
@@ -12,6 +12,7 @@ from tmsph_testing import *
 SPACING, RADIUS = 2.5e-3, 0.05
 RATE = 0.04    # degrees per step
 ROCK = "fix rock all tmsph/hoekbrown mi * 8 strength 1 150e6 strength 2 120e6 weibull * 10 4711\n"
+REACH = f"comm_modify cutoff {2 * HORIZON * SPACING:.6g}"    # as in Scene
 STATE = "x y z fx fy fz c_t c_p[*]"
 
 
@@ -66,7 +67,8 @@ def sequence(report):
     """To 160 degrees."""
     steps = 4000
     dynamic = ending(start().add("run 3000")).run()
-    run = ending(start("dump d all custom 1000 d.dump id c_t\nfix mean all ave/time 700 1 700 f_heat "
+    run = ending(start("dump d all custom 1000 d.dump id c_t\n"
+                       "fix mean all ave/time 700 1 700 f_heat "
                        f"file mean.local\ntmsph/quasistatic {steps}")).run(keep="mean.local")
     table, event = run.tables[-1], events(run)
     first, slow = event[:, 12].min(), events(dynamic)[:, 12].min()
@@ -105,7 +107,7 @@ def decomposition(report, reference):
         2, keep="*.restart")
     report.below("with a restart file written, values that differ", differing(written, whole), 1)
     for ranks in (1, 4):
-        scene = Script("comm_modify cutoff 15.1e-3\nread_restart r.%d.restart" % middle, written.kept)
+        scene = Script(f"{REACH}\nread_restart r.{middle}.restart", written.kept)
         run = ending(fixes(scene, f"tmsph/quasistatic {steps - middle}")).run(ranks)
         report.below(f"continued on {ranks}, values that differ", differing(run, whole), 1)
     after = start(f"tmsph/quasistatic {middle}\nthermo_style custom step pe ke\nunfix heat"
@@ -132,8 +134,8 @@ def minima(report):
         f"run 0\nset group all temperature 80\n{more}thermo_style custom step pe\n"
         "thermo_modify norm no format float %.17g")
     force = 15e6 * SPACING
-    energies(report, "disc", heated(CLOUD), f"minimize 0 {1e-6 * force * len(CLOUD)**0.5} 20000 99999",
-             0.5)
+    energies(report, "disc", heated(CLOUD),
+             f"minimize 0 {1e-6 * force * len(CLOUD)**0.5} 20000 99999", 0.5)
     held = ("region low block INF INF INF -0.03 INF INF units box\ngroup low region low\n"
             "fix hold low setforce 0 0 0\n")
     energies(report, "disc, a part held", heated(CLOUD, held),
@@ -148,9 +150,9 @@ def minima(report):
     energies(report, "periodic stripe", heated(stripe),
              f"minimize 0 {1e-6 * force * len(stripe)**0.5} 20000 99999")
     other = Script("units lj\nlattice fcc 1.0\nregion b block 0 4 0 4 0 4\ncreate_box 1 b\n"
-                   "create_atoms 1 box\nmass 1 1\npair_style lj/cut 2.5\npair_coeff 1 1 1 1\n"
-                   "region a block 1 2 1 2 1 2\ngroup a region a\ndisplace_atoms a random 0.1 0.1 0.1 "
-                   "4711\nthermo_style custom step pe\nthermo_modify norm no format float %.17g")
+                   "create_atoms 1 box\nmass 1 1\npair_style lj/cut 2.38\npair_coeff 1 1 1 1\n"
+                   "region a block 1 2 1 2 1 2\ngroup a region a\n"
+                   "displace_atoms a random 0.1 0.1 0.1 4711\nthermo_style custom step pe\nthermo_modify norm no format float %.17g")
     energies(report, "Lennard-Jones", other, "minimize 0 1e-6 20000 99999", dmax=0.1)
 
     positions = []
@@ -184,10 +186,32 @@ def pressed(report):
     report.below("force against uniaxial plane strain", abs(forces[1] / exact - 1), 0.02)
 
 
+def touching(report):
+    """An inclusion that is not bonded but rubs, and faces of cracks."""
+    contact = "fix rub all tmsph/contact friction * * 0.3"
+    steps, middle = 3500, 3300
+
+    def body():
+        return Scene(CLOUD, disc_materials(False), "viscosity 1 2").add(
+            f"pair_coeff 1 2 none\n{contact}")
+
+    run = ending(fixes(body(), f"restart {middle} r.*.restart\ntmsph/quasistatic {steps}")).run(
+        keep="*.restart")
+    report.above("with friction: bonds broken", len(events(run)), 2)
+    report.true("with friction: equilibrium on all steps", "not found" not in run.log, "no warning")
+    report.below("with friction: force evaluations/steps", evaluations(run) / steps, 1)
+    other = ending(fixes(body(), f"restart {middle} r.*.restart\ntmsph/quasistatic {steps}")).run(2)
+    report.below("with friction: on 2 processors, values that differ", differing(other, run), 1)
+    scene = Script(f"{REACH}\nread_restart r.{middle}.restart\n{contact}", run.kept)
+    rest = ending(fixes(scene, f"tmsph/quasistatic {steps - middle}")).run()
+    report.below("with friction: continued, values that differ", differing(rest, run), 1)
+
+
 if __name__ == "__main__":
     report = Report()
     reference = sequence(report)
     decomposition(report, reference)
     minima(report)
     pressed(report)
+    touching(report)
     report.finish()
