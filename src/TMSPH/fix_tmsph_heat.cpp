@@ -39,7 +39,9 @@ static constexpr double SMALL_STEP = 0.1;
 
 int FixTMSPHHeat::setmask()
 {
-  return PRE_FORCE | MIN_PRE_FORCE;    // for the setup before tmsph/quasistatic advances it
+  // in a minimization: the setup before tmsph/quasistatic advances it
+
+  return PRE_FORCE | MIN_PRE_FORCE | (viscous ? END_OF_STEP : 0);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -112,6 +114,25 @@ void FixTMSPHHeat::pre_force(int /*vflag*/)
   std::vector<double> y;
   attempt(duration, y);
   commit(duration, y);
+}
+
+/* ----------------------------------------------------------------------
+   what viscosity took in this step; ghosts learn of it before the next forces
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::end_of_step()
+{
+  std::vector<double> taken;
+  pair->viscous_heat(taken);
+  double *T = atom->temperature, sum = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double energy = taken[i] * update->dt;
+    if (held[i] != NOT_HELD) continue;
+    sum += energy;
+    T[i] = substances[atom->type[i]].specific_heat.temperature_at(enthalpy(i, T[i]) +
+                                                                  energy / atom->rmass[i]);
+  }
+  accounts[source_account()].energy += sum;
 }
 
 /* ----------------------------------------------------------------------

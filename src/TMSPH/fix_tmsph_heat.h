@@ -49,6 +49,7 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void init() override;
   void setup_pre_force(int) override;
   void pre_force(int) override;
+  void end_of_step() override;
   double compute_scalar() override;
   double compute_vector(int) override;
   double memory_usage() override;
@@ -88,7 +89,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   int every;
   double time_scale;
   std::vector<std::vector<double>> gap;    // conductance of closed cracks by type and type, or 0
-  bool crosses, friction;          // any of them is not 0; friction heats
+  bool crosses;                    // any of them is not 0
+  bool friction, viscous;          // their work heats
   bool told;
 
   std::vector<class FixTMSPHHeatBoundary *> boundaries;

@@ -36,7 +36,7 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), norms(nullptr),
     substances(atom->ntypes + 1), rkl2(true), tables(false), every(1), time_scale(1.0),
     gap(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0)), crosses(false),
-    friction(false), told(false), version(-1), removals(0), what_to_send(TEMPERATURE),
+    friction(false), viscous(false), told(false), version(-1), removals(0), what_to_send(TEMPERATURE),
     heats(false), cools(false), stable(0.0), covered(0.0), fastest(0.0), comfortable(MAXSMALLINT / 2),
     applications(0)
 {
@@ -116,8 +116,8 @@ static int parse_property(LAMMPS *lmp, const std::string &word, int iarg, int na
 
 /* ----------------------------------------------------------------------
    keywords: conductivity and specific/heat TYPES value, source TYPES value,
-   contact TYPES TYPES h, friction yes|no, subcycle explicit|rkl2, time/scale S,
-   every N
+   contact TYPES TYPES h, friction yes|no, viscous yes|no, subcycle explicit|rkl2,
+   time/scale S, every N
 ------------------------------------------------------------------------- */
 
 void FixTMSPHHeat::parse(int narg, char **arg)
@@ -126,10 +126,10 @@ void FixTMSPHHeat::parse(int narg, char **arg)
   while (iarg < narg) {
     const std::string word = arg[iarg];
     const bool by_type = word == "conductivity" || word == "specific/heat" || word == "source";
-    const auto others = {"contact", "friction", "subcycle", "time/scale", "every"};
+    const auto others = {"contact", "friction", "viscous", "subcycle", "time/scale", "every"};
     if (!by_type && std::find(others.begin(), others.end(), word) == others.end())
       error->all(FLERR, "Unknown keyword '{}' of fix tmsph/heat: use conductivity, specific/heat, "
-                        "source, contact, friction, subcycle, time/scale or every", word);
+                        "source, contact, friction, viscous, subcycle, time/scale or every", word);
     if (iarg + (word == "contact" ? 3 : by_type ? 2 : 1) >= narg)
       utils::missing_cmd_args(FLERR, "fix tmsph/heat " + word, error);
     const char *value = arg[iarg + 1];
@@ -177,6 +177,8 @@ void FixTMSPHHeat::parse(int narg, char **arg)
     }
     if (word == "friction")
       friction = utils::logical(FLERR, value, false, lmp);
+    else if (word == "viscous")
+      viscous = utils::logical(FLERR, value, false, lmp);
     else if (word == "subcycle") {
       if (strcmp(value, "rkl2") != 0 && strcmp(value, "explicit") != 0)
         error->all(FLERR, "Unknown value '{}' of fix tmsph/heat subcycle: use explicit or rkl2",
@@ -193,6 +195,8 @@ void FixTMSPHHeat::parse(int narg, char **arg)
     iarg += 2;
   }
 
+  if (viscous && every > 1)
+    error->all(FLERR, "Fix tmsph/heat viscous takes the work of each step: remove 'every {}'", every);
   bool any_orthotropic = false;
   for (int type = 1; type <= atom->ntypes; type++) {
     const Substance &s = substances[type];

@@ -129,6 +129,9 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   double thermal_strain(int i) const;
   /// between particles, from the size of the largest family
   double spacing() const;
+  /// power that viscosity took at local particles in the last force evaluation, to be called before
+  /// the next exchange; 0 without viscosity
+  void viscous_heat(std::vector<double> &power);
   unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
 

@@ -177,11 +177,15 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
   }
 }
 
-template <int D, bool THERMAL, bool HOURGLASS, bool VISCOUS, bool VIRIAL>
+/// What a sweep with the forces of the bonds sums up.
+enum class Sum { FORCE, VIRIAL, HEAT };
+
+template <int D, bool THERMAL, bool HOURGLASS, bool VISCOUS, Sum SUM>
 void force(const Slices &bonds, const Viscosity &viscosity, const double *kinematic,
            const double *force_row, double *out, int stride, double *sum)
 {
   using R = Rows<D>;
+  constexpr bool VIRIAL = SUM == Sum::VIRIAL;
   // without hourglass and viscosity 2-D needs B only: half the row
   constexpr int N = R::FORCE == 8 && !HOURGLASS && !VISCOUS ? 4
       : D == 3 && !VISCOUS                                  ? 12
@@ -193,7 +197,7 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
   for (int q = 0; q < bonds.count(); q++) {
     const Own<D> own(bonds, q, kinematic);
     const int *particle = bonds.particle.data() + q * WIDTH;
-    Lanes mine[R::FORCE], his[R::FORCE], other[8], total[D], work[6];
+    Lanes mine[R::FORCE], his[R::FORCE], other[8], total[D], work[6], heat = broadcast(0.0);
     load_rows<N>(force_row, R::FORCE, particle, mine);
     for (auto &t : total) t = broadcast(0.0);
     if constexpr (VIRIAL)
@@ -239,6 +243,7 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
         const Lanes factor = mu * density * square_root(X2 / r2) *
             (alpha1 * speed - alpha2 * minimum(mu, broadcast(0.0)));
         for (int k = 0; k < D; k++) t[k] += factor * x[k];
+        if constexpr (SUM == Sum::HEAT) heat += weight * factor * rate;
       }
       for (int i = 0; i < D; i++) {
         t[i] *= weight;
@@ -259,7 +264,9 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
           for (int k = 0; k < D; k++) v[k] += 0.5 * work[k][l];
           for (int k = 0; k < D * (D - 1) / 2; k++) v[3 + k] += 0.5 * work[D + k][l];
         }
-      } else
+      } else if constexpr (SUM == Sum::HEAT)
+        out[stride * i] = 0.5 * heat[l];
+      else
         for (int k = 0; k < D; k++) out[stride * i + k] += total[k][l];
     }
   }
@@ -352,7 +359,7 @@ void force_sweep(const Features &on, const Slices &bonds, const Viscosity &visco
                  const double *kinematic, const double *force_row, double *f, int stride)
 {
   with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
-    force<D, thermal(), hourglass(), viscous(), false>(bonds, viscosity, kinematic, force_row, f,
+    force<D, thermal(), hourglass(), viscous(), Sum::FORCE>(bonds, viscosity, kinematic, force_row, f,
                                                        stride, nullptr);
   });
 }
@@ -362,8 +369,18 @@ void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &visc
                   const double *kinematic, const double *force_row, double *virial, double *total)
 {
   with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
-    force<D, thermal(), hourglass(), viscous(), true>(bonds, viscosity, kinematic, force_row,
+    force<D, thermal(), hourglass(), viscous(), Sum::VIRIAL>(bonds, viscosity, kinematic, force_row,
                                                       virial, 6, total);
+  });
+}
+
+template <int D>
+void viscous_heat_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
+                        const double *kinematic, const double *force_row, double *power)
+{
+  with_bool(on.thermal == ThermalStrain::BOND, [&](auto thermal) {
+    force<D, thermal(), false, true, Sum::HEAT>(bonds, viscosity, kinematic, force_row, power, 1,
+                                                nullptr);
   });
 }
 
@@ -390,6 +407,10 @@ template void virial_sweep<2>(const Features &, const Slices &, const Viscosity 
                              const double *, double *, double *);
 template void virial_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
                              const double *, double *, double *);
+template void viscous_heat_sweep<2>(const Features &, const Slices &, const Viscosity &,
+                                    const double *, const double *, double *);
+template void viscous_heat_sweep<3>(const Features &, const Slices &, const Viscosity &,
+                                    const double *, const double *, double *);
 template double energy_sweep<2>(const Features &, const Slices &, const double *, double *);
 template double energy_sweep<3>(const Features &, const Slices &, const double *, double *);
 

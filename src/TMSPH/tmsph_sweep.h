@@ -135,6 +135,12 @@ void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &visc
                   const double *kinematic, const double *force_row, double *virial,
                   double *total = nullptr);
 
+/** Power that viscosity takes, half of that of its bonds for each particle, written to
+    power[particle]. */
+template <int D>
+void viscous_heat_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
+                        const double *kinematic, const double *force_row, double *power);
+
 /** Elastic and hourglass energy of each particle, written to energy[particle] if that is not nullptr.
     @return the sum over all particles */
 template <int D>
