@@ -18,6 +18,7 @@
 #include "compute_tmsph_property_atom.h"
 #include "fix_tmsph_bond.h"
 #include "fix_tmsph_contact.h"
+#include "fix_tmsph_heat.h"
 #include "fix_tmsph_heat_boundary.h"
 #include "fix_tmsph_hoekbrown.h"
 #include "fix_tmsph_wall.h"
@@ -93,8 +94,10 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   add("fix", "tmsph/contact", "contact with friction of bodies and crack faces");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHWall>;
   add("fix", "tmsph/wall", "rigid walls with friction");
+  plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHHeat>;
+  add("fix", "tmsph/heat", "conduction of heat");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHHeatBoundary>;
-  add("fix", "tmsph/heat/boundary", "prescribed temperature");
+  add("fix", "tmsph/heat/boundary", "temperature, flux, convection and radiation");
 
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_compute<ComputeTMSPHPropertyAtom>;
   add("compute", "tmsph/property/atom", "fields of the particles");

@@ -129,7 +129,9 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void find_norms();
   template <int D> std::vector<SurfaceShare> classify(bool cracks);
   std::vector<char> near_surface(const std::vector<SurfaceShare> &);
+  double interior_noise(const std::vector<SurfaceShare> &, const std::vector<char> &near) const;
   template <int D> void calibrate(int type, const std::vector<char> &near);
+  template <int D> void allow_for_disorder(int type, const std::vector<char> &near);
   template <int D> void find_conductances();
   void drop_conductances();
   void follow();

@@ -150,10 +150,17 @@ int FixTMSPHHeatBoundary::setmask()
 
 /* ---------------------------------------------------------------------- */
 
+FixTMSPHHeat *FixTMSPHHeatBoundary::conduction() const
+{
+  const auto found = modify->get_fix_by_style("^tmsph/heat$");
+  return found.empty() ? nullptr : static_cast<FixTMSPHHeat *>(found[0]);
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixTMSPHHeatBoundary::init()
 {
-  const auto conducting = modify->get_fix_by_style("^tmsph/heat$");
-  heat = conducting.empty() ? nullptr : static_cast<FixTMSPHHeat *>(conducting[0]);
+  heat = conduction();
   body = place == BODY || (place == UNDECIDED && kind == TEMPERATURE && !heat);
   if (!body && !heat)
     error->all(FLERR, "Fix tmsph/heat/boundary {} acts at the surface of a body that conducts heat: "
@@ -343,10 +350,11 @@ double FixTMSPHHeatBoundary::compute_scalar()
 double FixTMSPHHeatBoundary::compute_vector(int n)
 {
   double mine = 0.0, all;
-  if (n < 2 && heat) {
-    const FixTMSPHHeat::Account account = heat->account(this);
+  if (n < 2) {
+    const FixTMSPHHeat *fix = conduction();    // it may be gone since the last run
+    const FixTMSPHHeat::Account account = fix ? fix->account(this) : FixTMSPHHeat::Account();
     mine = n == 0 ? account.power : account.energy;
-  } else if (n >= 2)
+  } else
     for (int i = 0; i < atom->nlocal; i++) {
       const bool member = store && !body ? store->astore[i][AREA] > 0.0 : n == 3;
       if (member && (atom->mask[i] & groupbit)) mine += n == 3 ? 1.0 : store->astore[i][AREA];

@@ -62,6 +62,7 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock {
   int removals;             // of the bonds when it was found
 
   void parse(int, char **);
+  FixTMSPHHeat *conduction() const;
   void evaluate();
   void find_surface();
 };

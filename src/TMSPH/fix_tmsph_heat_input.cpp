@@ -14,7 +14,7 @@
 #include "math_const.h"
 #include "modify.h"
 #include "pair_tmsph.h"
-#include "table_file_reader.h"
+#include "text_file_reader.h"
 #include "tokenizer.h"
 #include "update.h"
 
@@ -57,6 +57,34 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
 }
 
 /* ----------------------------------------------------------------------
+   lines 'temperature value' after the name of the section, up to a line of one word
+   @return what is wrong, or nothing
+------------------------------------------------------------------------- */
+
+static std::string read_table(const char *file, const std::string &section, std::vector<double> &T,
+                              std::vector<double> &values)
+{
+  try {
+    const std::string path = utils::get_potential_file_path(file);
+    TextFileReader reader(path.empty() ? file : path, "table");
+    char *line;
+    while ((line = reader.next_line()) && ValueTokenizer(line).next_string() != section) {}
+    if (!line) return fmt::format("it has no section {}", section);
+    while ((line = reader.next_line())) {
+      ValueTokenizer words(line);
+      if (words.count() == 1) break;
+      if (words.count() != 2)
+        return fmt::format("lines must be 'temperature value', not '{}'", utils::trim(line));
+      T.push_back(words.next_double());
+      values.push_back(words.next_double());
+    }
+  } catch (std::exception &e) {
+    return e.what();
+  }
+  return T.empty() ? "its section has no lines 'temperature value'" : "";
+}
+
+/* ----------------------------------------------------------------------
    a positive number, or a table of positive numbers over temperature
    @return index of the word after it
 ------------------------------------------------------------------------- */
@@ -70,23 +98,7 @@ static int parse_property(LAMMPS *lmp, const std::string &word, int iarg, int na
     std::vector<double> T, values;
     std::string trouble;
     if (lmp->comm->me == 0) {
-      try {
-        TableFileReader reader(lmp, arg[iarg + 1], "property");
-        if (!reader.find_section_start(arg[iarg + 2]))
-          trouble = fmt::format("it has no section {}", arg[iarg + 2]);
-        else {
-          reader.skip_line();
-          while (char *line = reader.next_line()) {
-            ValueTokenizer numbers(line);
-            if (numbers.count() != 2) break;
-            T.push_back(numbers.next_double());
-            values.push_back(numbers.next_double());
-          }
-        }
-      } catch (std::exception &e) {
-        trouble = e.what();
-      }
-      if (trouble.empty() && T.empty()) trouble = "its section has no lines 'temperature value'";
+      trouble = read_table(arg[iarg + 1], arg[iarg + 2], T, values);
       for (size_t n = 0; n < T.size() && trouble.empty(); n++) {
         if (n && !(T[n] > T[n - 1]))
           trouble = fmt::format("temperatures must ascend, but {} comes after {}", T[n], T[n - 1]);

@@ -19,21 +19,30 @@ namespace {
 
 constexpr double HORIZON = 3.015;
 
-/// particle "depth" rows below the flat top of a lattice of spacing 1 whose rows go along x, y
-template <int D> Surface below_flat(int depth)
+/// bonds of a particle "depth" rows below the flat top of a lattice of spacing 1 whose rows go along
+/// x, y; "shift" moves every second row along x, "stretch" is the distance of rows
+template <int D> OwnSurface<D> bonds_below_flat(int depth, double shift = 0.0, double stretch = 1.0)
 {
   OwnSurface<D> own;
   const int n = 3;
   for (int i = -n; i <= n; i++)
     for (int j = -n; j <= (D == 2 ? depth : n); j++)
       for (int k = -n; k <= (D == 2 ? -n : depth); k++) {
-        const double X[3] = {double(i), double(j), double(k)};
+        double X[3] = {double(i), double(j), double(k)};
+        const int row = D == 2 ? j : k;
+        X[D - 1] *= stretch;
+        X[0] += row % 2 ? shift : 0.0;
         double R = 0.0;
         for (int a = 0; a < D; a++) R += X[a] * X[a];
         R = std::sqrt(R);
         if (R > 0.0 && R < HORIZON) own.add(X, std::pow(1.0 - R / HORIZON, 3));
       }
-  return own.find(1.0);
+  return own;
+}
+
+template <int D> Surface below_flat(int depth)
+{
+  return bonds_below_flat<D>(depth).find(1.0);
 }
 
 template <int D> void check_flat()
@@ -51,6 +60,56 @@ TEST(OwnSurface, flat)
 {
   check_flat<2>();
   check_flat<3>();
+}
+
+/// half of the distance of the rows outside the outermost one, whatever the depth and the rows
+template <int D> void check_rows()
+{
+  for (double shift : {0.0, 0.5})
+    for (double distance : {1.0, std::sqrt(0.75), 1.2})
+      for (int depth = 0; depth < 3; depth++) {
+        const auto own = bonds_below_flat<D>(depth, shift, distance);
+        Surface s;
+        s.normal[D - 1] = 1.0;
+        s.depth = -1.0;
+        EXPECT_NEAR(own.depth_of_rows(s, 1.0), (depth + 0.5) * distance, 1e-14)
+            << shift << " " << distance << " " << depth;
+      }
+}
+
+TEST(OwnSurface, depth_of_rows)
+{
+  check_rows<2>();
+  check_rows<3>();
+}
+
+TEST(OwnSurface, depth_without_rows)
+{
+  OwnSurface<2> own = bonds_below_flat<2>(1);
+  Surface s;
+  s.normal[0] = std::sin(0.2);    // no rows along this surface
+  s.normal[1] = std::cos(0.2);
+  s.depth = 1.4;
+  EXPECT_EQ(own.depth_of_rows(s, 1.0), 1.4);
+  EXPECT_EQ(OwnSurface<2>().depth_of_rows(s, 1.0), 1.4);    // nor without bonds
+  s.normal[0] = 0.0;
+  s.normal[1] = 1.0;
+  const double odd[2] = {0.3, -0.6};    // one particle between the rows
+  own.add(odd, 1.0);
+  EXPECT_EQ(own.depth_of_rows(s, 1.0), 1.4);
+}
+
+/// 0 where bonds pull evenly; in the outermost row below that of a particle with all matter on one
+/// side, the mean of a cosine over half a circle or sphere
+TEST(OwnSurface, one_sidedness)
+{
+  EXPECT_EQ(OwnSurface<2>().one_sidedness(), 0.0);
+  EXPECT_LT(bonds_below_flat<2>(3).one_sidedness(), 1e-15);
+  EXPECT_LT(bonds_below_flat<3>(3).one_sidedness(), 1e-15);
+  EXPECT_GT(bonds_below_flat<2>(0).one_sidedness(), 0.3);
+  EXPECT_LT(bonds_below_flat<2>(0).one_sidedness(), 2.0 / 3.14159265358979);
+  EXPECT_GT(bonds_below_flat<3>(0).one_sidedness(), 0.3);
+  EXPECT_LT(bonds_below_flat<3>(0).one_sidedness(), 0.5);
 }
 
 TEST(OwnSurface, no_gradient_no_surface)

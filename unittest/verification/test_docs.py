@@ -46,7 +46,10 @@ def styles():
 def keywords(header):
     """Words that the sources of a style compare input with, or name in their error messages."""
     words = set()
+    others = tuple(h.stem for h in SOURCE.glob(header.stem + "_*.h"))
     for source in SOURCE.glob(header.stem + "*.cpp"):
+        if source.stem.startswith(others):
+            continue
         text = re.sub(r"//.*|/\*[\s\S]*?\*/|^#include.*", "", source.read_text(), flags=re.M)
         text = re.sub(r'"\s*\n\s*"', "", text)    # literals that go on in the next line
         literal = r'(?:==\s*|\{|, )"([A-Za-z]\w*)"(?=\s*[\)&|?,};]|\s*$)'
