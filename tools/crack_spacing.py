@@ -11,11 +11,13 @@ plate, as far as its own edge reaches, is left out. --plot draws the plates, col
 
 The tables and the picture in doc/report/quench.md:
     cd examples/quench
-    for T in 300 400 600; do
+    ../../tmsph run in.quench -var end 0.2 && mv dump.quench dump.long
+    for T in 300 400 500 600; do
       ../../tmsph run in.quench -var T0 $T && mv dump.quench dump.$T
     done
-    ../../tools/crack_spacing.py --plot ../../doc/images/quench.png "300 C"=dump.300 \\
-        "400 C"=dump.400 "600 C"=dump.600
+    ../../tools/crack_spacing.py --plot ../../doc/images/quench.png "300 C, 50 ms"=dump.300 \\
+        "300 C, 200 ms"=dump.long "400 C, 50 ms"=dump.400 "600 C, 50 ms"=dump.600
+    ../../tools/crack_spacing.py "500 C, 50 ms"=dump.500
 """
 import sys
 
@@ -94,9 +96,10 @@ def plot(out, plates):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
-    figure, axes = plt.subplots(len(plates), 1, squeeze=False, figsize=(9, 3.6 * len(plates)))
+    figure, axes = plt.subplots(len(plates), 1, squeeze=False, figsize=(9, 3.7 * len(plates)))
     for ax, (title, plate) in zip(axes[:, 0], plates):
-        ax.scatter(plate.x, plate.y, c=plate.damage, s=4, cmap="inferno_r", vmin=0, vmax=0.6,
+        size = (530 * plate.spacing / plate.length) ** 2    # square points
+        ax.scatter(plate.x, plate.y, c=plate.damage, s=size, cmap="inferno_r", vmin=0, vmax=0.6,
                    linewidths=0)
         ax.set_title(title)
         ax.set_aspect("equal")
