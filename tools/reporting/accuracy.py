@@ -27,13 +27,17 @@ def cases(study, full):
             yield label, h, size, {**study.common, **size, **choice}
 
 
-def run(study, parameters):
-    """One run of a scene; what stops has no error but a message."""
+def run(study, parameters, tries=3):
+    """One run of a scene; what LAMMPS refuses has no error but a message."""
     try:
         scene = study.scene(**parameters)
     except RuntimeError as error:
-        lines = [line for line in str(error).splitlines() if "ERROR" in line]
-        return {"stopped": lines[-1][:200] if lines else "stopped"}
+        lines = [line for line in str(error).splitlines() if line.startswith("ERROR")]
+        if lines:
+            return {"stopped": lines[-1][:200]}
+        if tries > 1:    # a machine under load: MPI did not start
+            return run(study, parameters, tries - 1)
+        raise
     cost = scene.cost
     return {"error": float(study.error(scene)), "seconds": cost.seconds, "steps": cost.steps,
             "particles": cost.particles, "memory": cost.memory, "ranks": cost.ranks}
@@ -245,12 +249,25 @@ faster. At the interface of two materials, where the stress jumps and cracks sta
 at the front or near it, and weak hourglass control or the thermal strain do not reach its error."""
 
 
+def noise(measured):
+    """Machine and scatter."""
+    rows = [row for _, rows in measured for row in rows]
+    machines = "; ".join(dict.fromkeys(row["machine"] for row in rows))
+    scatter = sorted(row["scatter"] for row in rows if row["error"] != "stopped" and row["rounds"] > 1)
+    text = f"Machine: {machines}."
+    if scatter:
+        text += (f" Repeated run times differ by {100 * scatter[len(scatter) // 2]:.0f} % (median of largest "
+                 f"less smallest) and by more than {100 * scatter[9 * len(scatter) // 10]:.0f} % in a tenth "
+                 "of the cases: those below some 20 ms, which are timed by the clock, and all if the "
+                 "machine has other work.")
+    return text
+
+
 def page(measured):
     """measured: pairs of a study and its rows."""
     head = ["scene", "", "order", "error at the finest size", "particles", "run time",
             "time to an error", "default on the front"]
     rows = [summary_row(study, rows) for study, rows in measured]
-    machines = "; ".join(dict.fromkeys(row["machine"] for _, rows in measured for row in rows))
-    parts = ["# Error against run time", INTRODUCTION, f"Machine: {machines}.", "## Summary",
+    parts = ["# Error against run time", INTRODUCTION, noise(measured), "## Summary",
              table(head, rows), "## Every option in every scene", COMPARISON, comparison(measured)]
     return "\n\n".join(parts + [section(study, rows) for study, rows in measured]) + "\n"

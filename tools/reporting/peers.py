@@ -3,7 +3,7 @@
 
 from speed import table
 
-from .accuracy import of, seconds, section, time_to
+from .accuracy import noise, of, seconds, section, time_to
 from .peer_scenes import LIMIT, NAMES, Tension, Vibration
 from .studies import Study
 
@@ -86,9 +86,8 @@ def page(measured):
         reached.append([study.title] + [seconds(time_to(of(rows, label), study.target))
                                         if label in there else "cannot"
                                         for label in [NAMES["tmsph"]] + labels])
-    machines = "; ".join(dict.fromkeys(row["machine"] for _, rows in measured for row in rows))
     parts = ["# Error against run time: other methods", INTRODUCTION.format(limits=limits()),
-             f"Machine: {machines}.", "## tmsph is faster by", "At the larger of the errors of both at their finest sizes, and not below 0.1 %, as the theories "
+             noise(measured), "## tmsph is faster by", "At the larger of the errors of both at their finest sizes, and not below 0.1 %, as the theories "
              "of bars and beams are not better. \"More than\" where tmsph is better at its coarsest size.",
              table(["scene"] + labels, faster), "## Time to an error of 1 %",
              "\"Not reached\": at the sizes that were run.",

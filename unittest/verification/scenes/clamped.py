@@ -4,7 +4,7 @@ homogeneous states, and heating that varies along x."""
 
 from tmsph_testing import *
 
-SPACING, LENGTH = 1e-3, 0.02
+SPACING = 1e-3
 ROCK = material(40e9, 0.3, 2700, 1e-5)
 E, NU, ALPHA = ROCK["young"], ROCK["poisson"], ROCK["expansion"]
 G = E / (2 * (1 + NU))
@@ -58,15 +58,14 @@ class Wavy:
         _, cells, lam, expansion = STATES[plane]
         d = len(cells)
         rows = max(7, int(np.ceil(2 * horizon)))
-        spacing = LENGTH / n
-        cloud = lattice("square" if d == 2 else "sc", (n,) + (rows,) * (d - 1), spacing, "xyz"[:d])
-        wave = np.cos(2 * np.pi * cloud.X[:, 0] / LENGTH)
+        cloud = lattice("square" if d == 2 else "sc", (n,) + (rows,) * (d - 1), SPACING, "xyz"[:d])
+        wave = np.cos(2 * np.pi * cloud.X[:, 0] / (n * SPACING))
         mean = -(d * lam + 2 * G) * expansion
         amplitude = -2 * G * mean / (lam + 2 * G)
         keyword = "" if d == 3 else "plane " + plane.split()[1]
         scene = Scene(cloud, [ROCK], f"{keyword} {options}", horizon=horizon)
         scene.add("compute p all tmsph/property/atom sxx syy\nrun 0").set("temperature", 1 + wave)
-        scene.minimize(residual * amplitude * spacing ** (d - 1)).snapshot("d", "c_p[*]")
+        scene.minimize(residual * amplitude * SPACING ** (d - 1)).snapshot("d", "c_p[*]")
         run = scene.run(ranks)
         self.cost, (sxx, syy) = run.cost, run.frame("d")("c_p[1] c_p[2]").T
         square = (sxx - mean) ** 2 + (syy - mean + amplitude * wave) ** 2
