@@ -180,6 +180,7 @@ void FixTMSPHBond::form()
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       const bool bond = user->bonded(atom->type[i], atom->type[j]);
       if (!bond && !user->touching(atom->type[i], atom->type[j])) continue;
+      if (atom->tag[j] == atom->tag[i]) continue;    // its own image
       double X[3];
       reference_vector(i, j, X);
       const double R2 = X[0] * X[0] + X[1] * X[1] + X[2] * X[2];

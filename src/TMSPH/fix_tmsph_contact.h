@@ -259,7 +259,6 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void keep_touches(const std::vector<TMSPH::ContactState<D>> &, const std::vector<double> &heats);
   void add_virial();
   bool is_slave(int itype, int jtype) const;
-  double spacing_of(int i) const;
   double touching_distance(int i, int a, int b, double along) const;
   void find_outlines();
   void measure();

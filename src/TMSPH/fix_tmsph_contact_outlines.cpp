@@ -29,13 +29,6 @@ static constexpr double STRETCHED = 1.25;
 
 static constexpr double SAME = 1.0e-6;
 
-/* ---------------------------------------------------------------------- */
-
-double FixTMSPHContact::spacing_of(int i) const
-{
-  return domain->dimension == 2 ? std::sqrt(atom->vfrac[i]) : std::cbrt(atom->vfrac[i]);
-}
-
 /* ----------------------------------------------------------------------
    the finer side touches the outline of the other; of equals, the lower type
 ------------------------------------------------------------------------- */
@@ -59,7 +52,7 @@ void FixTMSPHContact::find_outlines()
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
   std::vector<double> spacing(atom->ntypes + 1, HUGE_VAL);
   for (int i = 0; i < nlocal; i++)
-    spacing[atom->type[i]] = std::min(spacing[atom->type[i]], spacing_of(i));
+    spacing[atom->type[i]] = std::min(spacing[atom->type[i]], bonds->spacing(i));
   s.spacing.resize(spacing.size());
   MPI_Allreduce(spacing.data(), s.spacing.data(), (int) spacing.size(), MPI_DOUBLE, MPI_MIN, world);
   s.coarsest = 0.0;
@@ -81,7 +74,7 @@ void FixTMSPHContact::find_outlines()
     }
     int found = 0;
     for (int n = 0; n < (int) ends.size() && found < 2; n++) {
-      const double larger = std::max(spacing_of(i), spacing_of(ends[n]));
+      const double larger = std::max(bonds->spacing(i), bonds->spacing(ends[n]));
       if (outline.leads_to(n, ROLLING * larger)) s.next[i][found++] = atom->tag[ends[n]];
     }
   }
@@ -120,7 +113,7 @@ void FixTMSPHContact::measure()
         bonds->reference_vector(j, end, Y);
         const double Z[2] = {X[0] + Y[0], X[1] + Y[1]};
         const double d = std::sqrt(square_from_segment(HERE, X, Z));
-        if (d < std::min(nearest, 0.5 * (spacing_of(i) + spacing_of(j)))) nearest = d;
+        if (d < std::min(nearest, 0.5 * (bonds->spacing(i) + bonds->spacing(j)))) nearest = d;
       }
     }
     if (nearest < HUGE_VAL && nearest > 0.0) memories[atom->tag[i]].apart = nearest;

@@ -228,7 +228,7 @@ template <int D> void FixTMSPHContact::fit_pairs()
         R2 += X[a] * X[a];
         middle[a] = 0.5 * X[a];
       }
-      const double size = 0.5 * (spacing_of(m.i) + spacing_of(j)), reach = SHORT * size;
+      const double size = 0.5 * (bonds->spacing(m.i) + bonds->spacing(j)), reach = SHORT * size;
       if (R2 < reach * reach) marks[kind(state)].add_point(middle);
       if (kind(state) == 0) nearest = std::min(nearest, std::sqrt(R2) / size);
     }
@@ -282,7 +282,7 @@ template <int D> void FixTMSPHContact::fit_pairs()
     Moments<D> marks;
     std::copy_n(row(low) + which, SIZE, marks.m);
     marks.add(row(high) + which, X);
-    const double size = 0.5 * (spacing_of(low) + spacing_of(high));
+    const double size = 0.5 * (bonds->spacing(low) + bonds->spacing(high));
     double normal[D], centre[D], depth = 0.0;
     fit_plane<D>(marks, direction, SCATTER * size * size, normal, centre);
 

@@ -121,7 +121,7 @@ template <int D> void FixTMSPHContact::find_surfaces()
       bonds->reference_vector(i, j, X);
       own.add(X, bonds->weight(i, j));
     }
-    surfaces[i] = own.find(spacing_of(i));
+    surfaces[i] = own.find(bonds->spacing(i));
   }
 }
 
@@ -239,7 +239,7 @@ template <int D> int FixTMSPHContact::meet()
     const double stiff = one[Row::STIFFNESS] + other[Row::STIFFNESS];
     const double pressed = stiff > 0.0 ? (one[Row::PRESSED] + other[Row::PRESSED]) / stiff : 0.0;
     const double neutral = (pressed - s.penetration) / (s.stretch * s.lean);
-    const double size = 0.5 * (spacing_of(low) + spacing_of(high));
+    const double size = 0.5 * (bonds->spacing(low) + bonds->spacing(high));
     const bool joins = stiff > 0.0 && neutral < depths + ROUGH * size;
     Met record = {atom->tag[j], {}, pair_of_them};
     record.geometry.distance = are(Exposure::GIVEN, true) ? depths

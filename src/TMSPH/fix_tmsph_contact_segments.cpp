@@ -33,7 +33,7 @@ using Row = SegmentRow;
 double FixTMSPHContact::touching_distance(int i, int a, int b, double along) const
 {
   const auto half = [this](int p) {
-    return 0.5 * spacing_of(p) * (1.0 + pair->thermal_strain(p));
+    return 0.5 * bonds->spacing(p) * (1.0 + pair->thermal_strain(p));
   };
   const double cells = half(i) + (1.0 - along) * half(a) + along * half(b);
   const auto found = memories.find(atom->tag[i]);
@@ -114,8 +114,8 @@ void FixTMSPHContact::find_places(double dt)
     slave.stiffness = 0.0;
     for (int n = 0; n < slave.count; n++) {
       const Place &p = slave.place[n];
-      const double spacing[2] = {spacing_of(i), (1.0 - p.along) * spacing_of(p.a) +
-                                                          p.along * spacing_of(p.b)};
+      const double spacing[2] = {bonds->spacing(i), (1.0 - p.along) * bonds->spacing(p.a) +
+                                                          p.along * bonds->spacing(p.b)};
       const int type[2] = {atom->type[i], atom->type[p.a]};
       HalfCell cells[2];
       for (int k = 0; k < 2; k++) {
@@ -281,7 +281,7 @@ void FixTMSPHContact::hold(Slave &slave, double dt)
       out[Row::F + c] = rubbing * tangent[c] - normal[n] * p.normal[c];
       out[Row::R + c] = A[c] + p.along * e[c] - x[c];
     }
-    const double share = spacing_of(i) / (spacing_of(i) + spacing_of(p.a));
+    const double share = bonds->spacing(i) / (bonds->spacing(i) + bonds->spacing(p.a));
     out[Row::TOUCHING] = p.touching;
     out[Row::SHARE] = share;
     out[Row::NORMAL] = normal[n];
@@ -330,7 +330,7 @@ void FixTMSPHContact::keep_places(int i, Memory &memory) const
   const Segments &s = *segments;
   const auto keep = [&](tagint partner, int slave, double share, const double *force) {
     if (!(force[Row::NORMAL] > 0.0) || share == 0.0) return;
-    const double area = atom->vfrac[slave] / spacing_of(slave);
+    const double area = atom->vfrac[slave] / bonds->spacing(slave);
     memory.pressed.push_back({partner, share * area * bonds->interior_kappa() /
                                            (2.0 * force[Row::TOUCHING]), force[Row::TOUCHING]});
     memory.rubbed += 0.5 * share * force[Row::HEAT];

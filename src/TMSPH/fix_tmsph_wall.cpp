@@ -113,7 +113,7 @@ double FixTMSPHWall::speed() const
 
 double FixTMSPHWall::gap_of(int i) const
 {
-  return 0.5 * std::pow(atom->vfrac[i], 1.0 / domain->dimension) * (1.0 + pair->thermal_strain(i));
+  return 0.5 * pair->bonds()->spacing(i) * (1.0 + pair->thermal_strain(i));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -123,7 +123,7 @@ double FixTMSPHWall::stiffness_of(int i, double penetration, double dt) const
   if (law == ContactLaw::PAPER) return stiffness * paper_stiffness(atom->rmass[i], dt);
   const auto &material = pair->material(atom->type[i]);
   const HalfCell cell = {material.young / (1.0 - material.poisson * material.poisson),
-                         std::pow(atom->vfrac[i], 1.0 / domain->dimension)};
+                         pair->bonds()->spacing(i)};
   return half_cells(&cell, 1, stiffness, penetration) * atom->vfrac[i] / cell.spacing;
 }
 

@@ -116,7 +116,7 @@ template <int D> void PairTMSPH::fit_own_side(int q, int l, bool one_sided)
     const double *his = kinematic.data() + (size_t) j * R::KINEMATIC + R::X;
     for (int k = 0; k < D; k++) X(k, n) = his[k] - mine[k];
   }
-  const double spacing = std::pow(atom->vfrac[i], 1.0 / D);
+  const double spacing = bond_fix->spacing(i);
   if (inverse.isZero(0.0) || !one_sided || !one_sided_fit<D>(X, weights, spacing, g))
     for (size_t n = 0; n < places.size(); n++) g.col(n) = weights[n] * (inverse * X.col(n));
   for (size_t n = 0; n < places.size(); n++)
