@@ -50,7 +50,7 @@ void FixTMSPHHeat::post_constructor()
 {
   norms_id = std::string(id) + "_TMSPH_NORM";
   norms = dynamic_cast<FixStoreAtom *>(
-      modify->add_fix(fmt::format("{} all STORE/ATOM 1 0 0 1", norms_id)));
+      modify->add_fix(fmt::format("{} all STORE/ATOM {} 0 0 1", norms_id, (int) NSTORED)));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -82,7 +82,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   };
   class PairTMSPH *pair;
   class FixTMSPHBond *bonds;
-  class FixStoreAtom *norms;       // c of each particle, frozen when the bonds formed
+  enum { NORM, DEPTH, NSTORED };   // c, and depth below an interface or 0: columns of the store
+  class FixStoreAtom *norms;       // they are frozen when the bonds formed
   std::string norms_id;
   std::vector<Substance> substances;    // by type
   bool rkl2, tables;               // some conductivity depends on temperature
@@ -97,7 +98,7 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   int version, removals;           // of the bonds when the conductances were found
   std::vector<float> conductances; // [row][8], without the conductivity if there are tables
   std::vector<double> conductivities;    // of local and ghost particles, with tables
-  std::vector<double> all_norms;   // of local and ghost particles
+  std::vector<double> all_norms, all_depths;    // of local and ghost particles
   std::vector<double> sums;        // sum_j G_ij of local particles, at the largest conductivity
   std::vector<double> shared;      // of local and ghost particles, one number each
   enum { TEMPERATURE, SHARED } what_to_send;
@@ -127,6 +128,9 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void parse(int, char **);
   int parse_conductivity(int, int, char **, Substance &);
   void find_norms();
+  void find_depths();
+  std::vector<double> stored(int column) const;
+  void scale_areas(std::vector<SurfaceShare> &) const;
   template <int D> std::vector<SurfaceShare> classify(bool cracks);
   std::vector<char> near_surface(const std::vector<SurfaceShare> &);
   double interior_noise(const std::vector<SurfaceShare> &, const std::vector<char> &near) const;

@@ -12,8 +12,10 @@
 #include "error.h"
 #include "fix_store_atom.h"
 #include "fix_tmsph_bond.h"
+#include "pair_tmsph.h"
 #include "tmsph_conduction.h"
 #include "tmsph_fixed_point.h"
+#include "tmsph_interface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +27,10 @@ using namespace TMSPH;
 // about 0.45, inside an irregular cloud below 0.15
 
 static constexpr double OUTERMOST = 0.25;
+
+// a particle is at least this share of its spacing below an interface
+
+static constexpr double LEAST_DEPTH = 0.1;
 
 // less than this is round-off
 
@@ -106,7 +112,7 @@ template <int D> std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::classify(
     const Exposure exposure = share.surface.exposure;
     if (exposure == Exposure::SURFACE) {
       share.surface.depth = own.depth_of_rows(share.surface, bonds->spacing(i));
-      share.area = 2.0 * norms->vstore[i] * own.length_of_sum();
+      share.area = 2.0 * norms->astore[i][NORM] * own.length_of_sum();
     }
     share.one_sidedness = own.one_sidedness();
     if (exposure == Exposure::LOOSE || share.one_sidedness > OUTERMOST) shared[i] = 1.0;
@@ -147,37 +153,78 @@ double FixTMSPHHeat::interior_noise(const std::vector<SurfaceShare> &shares,
 
 /* ----------------------------------------------------------------------
    Inside an irregular cloud bonds pull unevenly too: of its particles those make
-   the surface whose bonds pull far more so. Its area is then scaled by the
-   divergence theorem, integral of x.n over the surface = D times the volume;
-   in periodic directions x means nothing.
+   the surface whose bonds pull far more so. What the bonds of a neighborhood bring
+   together is then shared out among those in it: inside it all pulls cancel in
+   pairs, so that the sum is that of a smooth surface. All shares are scaled by the
+   divergence theorem, integral of x.n over the surface = D times the volume, x
+   from the middle; in periodic directions x means nothing.
 ------------------------------------------------------------------------- */
 
 std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::surface(bool cracks)
 {
-  const int dimension = domain->dimension, nlocal = atom->nlocal;
-  std::vector<SurfaceShare> shares = dimension == 2 ? classify<2>(cracks) : classify<3>(cracks);
+  const int nlocal = atom->nlocal;
+  std::vector<SurfaceShare> shares = domain->dimension == 2 ? classify<2>(cracks)
+                                                            : classify<3>(cracks);
   const std::vector<char> near = near_surface(shares);
   for (int i = 0; i < nlocal; i++)
     if (!near[i]) shares[i].area = 0.0;
   const double noise = interior_noise(shares, near);
   if (noise < IRREGULAR) return shares;
 
-  std::vector<double> moments(nlocal), volumes(atom->vfrac, atom->vfrac + nlocal);
-  int directions = 0;
-  for (int k = 0; k < dimension; k++) directions += !domain->periodicity[k];
+  std::vector<double> pulls[3], areas;
+  for (int k = 0; k < 3; k++) {
+    for (const SurfaceShare &share : shares)
+      pulls[k].push_back(share.area * share.surface.normal[k]);
+    share(pulls[k]);
+  }
+  for (SurfaceShare &share : shares) {
+    if (share.one_sidedness < FAR_MORE * noise) share.area = 0.0;
+    areas.push_back(share.area);
+  }
+  share(areas);
   for (int i = 0; i < nlocal; i++) {
     SurfaceShare &share = shares[i];
-    if (share.one_sidedness < FAR_MORE * noise) share.area = 0.0;
-    const double *X = bonds->reference(i), *n = share.surface.normal;
-    for (int k = 0; k < dimension; k++)
-      if (!domain->periodicity[k])
-        moments[i] += share.area * n[k] * (X[k] + share.surface.depth * n[k]);
+    if (share.area == 0.0) continue;
+    double sum[3], all = areas[i], square = 0.0;
+    for (int k = 0; k < 3; k++) sum[k] = pulls[k][i];
+    for (int n = 0; n < bonds->count(i); n++) {
+      const int j = bonds->partner_index(i, n);
+      if (j == i || bonds->bond_state(i, n) == FixTMSPHBond::UNBONDED) continue;
+      for (int k = 0; k < 3; k++) sum[k] += pulls[k][j];
+      all += areas[j];
+    }
+    for (int k = 0; k < 3; k++) square += sum[k] * sum[k];
+    const double length = std::sqrt(square);
+    share.area *= length / all;
+    for (int k = 0; k < 3 && length > 0.0; k++) share.surface.normal[k] = sum[k] / length;
+  }
+  scale_areas(shares);
+  return shares;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::scale_areas(std::vector<SurfaceShare> &shares) const
+{
+  const int nlocal = atom->nlocal;
+  std::vector<double> volumes(atom->vfrac, atom->vfrac + nlocal), moments(nlocal);
+  const double volume = fixed_point_sum(volumes, world);
+  int directions = 0;
+  for (int k = 0; k < domain->dimension; k++) {
+    if (domain->periodicity[k]) continue;
+    directions++;
+    std::vector<double> places(nlocal);
+    for (int i = 0; i < nlocal; i++) places[i] = atom->vfrac[i] * bonds->reference(i)[k];
+    const double middle = fixed_point_sum(places, world) / volume;
+    for (int i = 0; i < nlocal; i++) {
+      const Surface &s = shares[i].surface;
+      moments[i] += shares[i].area * s.normal[k] *
+          (bonds->reference(i)[k] - middle + s.depth * s.normal[k]);
+    }
   }
   const double moment = fixed_point_sum(moments, world);
-  const double volume = fixed_point_sum(volumes, world);
   if (moment > 0.0)
     for (SurfaceShare &share : shares) share.area *= directions * volume / moment;
-  return shares;
 }
 
 /* ----------------------------------------------------------------------
@@ -190,7 +237,7 @@ void FixTMSPHHeat::find_norms()
 {
   const int nlocal = atom->nlocal, dimension = domain->dimension;
   int lacking = 0, any;
-  for (int i = 0; i < nlocal; i++) lacking = lacking || norms->vstore[i] == 0.0;
+  for (int i = 0; i < nlocal; i++) lacking = lacking || norms->astore[i][NORM] == 0.0;
   MPI_Allreduce(&lacking, &any, 1, MPI_INT, MPI_MAX, world);
   if (!any) return;
 
@@ -222,14 +269,46 @@ void FixTMSPHHeat::find_norms()
   for (int type = 1; type <= atom->ntypes; type++) {
     const double sum = typical(type);
     for (int i = 0; i < nlocal; i++)
-      if (atom->type[i] == type) norms->vstore[i] = dimension / (near[i] ? sum : second[i]);
+      if (atom->type[i] == type) norms->astore[i][NORM] = dimension / (near[i] ? sum : second[i]);
   }
+  find_depths();
   for (int type = 1; type <= atom->ntypes; type++)
     if (substances[type].orthotropic)
       dimension == 2 ? calibrate<2>(type, near) : calibrate<3>(type, near);
   if (interior_noise(shares, near) < IRREGULAR) return;
   for (int type = 1; type <= atom->ntypes; type++)
     dimension == 2 ? allow_for_disorder<2>(type, near) : allow_for_disorder<3>(type, near);
+}
+
+/* ----------------------------------------------------------------------
+   depth below the interface to another type, of particles near one
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::find_depths()
+{
+  const int dimension = domain->dimension;
+  const Kernel kernel = pair->kernel_of_bonds();
+  std::vector<InterfaceDepth> depth_in(atom->ntypes + 1);
+  for (int type = 1; type <= atom->ntypes && atom->ntypes > 1; type++)
+    depth_in[type] = InterfaceDepth(kernel, dimension, pair->horizon(type, type));
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int type = atom->type[i];
+    const double reach = pair->horizon(type, type);
+    double own = atom->vfrac[i] * kernel_value(kernel, dimension, 0.0, reach), all = own;
+    for (int n = 0; n < bonds->count(i); n++) {
+      const int j = bonds->partner_index(i, n);
+      if (j == i || bonds->bond_state(i, n) == FixTMSPHBond::UNBONDED) continue;
+      double X[3];
+      bonds->reference_vector(i, j, X);
+      const double R = std::sqrt(X[0] * X[0] + X[1] * X[1] + X[2] * X[2]);
+      const double mass = atom->vfrac[j] * kernel_value(kernel, dimension, R, reach);
+      if (atom->type[j] == type) own += mass;
+      all += mass;
+    }
+    norms->astore[i][DEPTH] = own == all
+        ? 0.0
+        : std::max(depth_in[type](own / all), LEAST_DEPTH * bonds->spacing(i));
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -263,7 +342,7 @@ template <int D> void FixTMSPHHeat::calibrate(int type, const std::vector<char> 
         if (pure) sum += bonds->weight(i, j) * k(R.normalized()) * R * R.transpose();
       }
       if (!pure) continue;
-      sum *= norms->vstore[i] / atom->vfrac[i];
+      sum *= norms->astore[i][NORM] / atom->vfrac[i];
       ones.push_back(1.0);
       for (int a = 0, n = 0; a < D; a++)
         for (int b = a; b < D; b++) terms[n++].push_back(sum(a, b));
@@ -302,7 +381,7 @@ void FixTMSPHHeat::allow_for_disorder(int type, const std::vector<char> &near)
       free[i] = j != i && atom->type[j] == type;
     }
   }
-  std::vector<double> c(norms->vstore, norms->vstore + nlocal), moved[D], before[D];
+  std::vector<double> c = stored(NORM), moved[D], before[D];
   share(c);
   for (auto &m : moved) m.assign(nlocal, 0.0);
   std::vector<double> rigid, relaxed;    // energies of a network of springs like this one
@@ -337,7 +416,7 @@ void FixTMSPHHeat::allow_for_disorder(int type, const std::vector<char> &near)
   if (!(rest > 0.0)) return;
   const double gain = fixed_point_sum(rigid, world) / rest;
   for (int i = 0; i < nlocal; i++)
-    if (atom->type[i] == type) norms->vstore[i] *= gain;
+    if (atom->type[i] == type) norms->astore[i][NORM] *= gain;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -363,8 +442,8 @@ template <int D> void FixTMSPHHeat::find_conductances()
   for (int i = 0; i < atom->nlocal; i++) {
     const int itype = atom->type[i];
     for (int n = 0; n < bonds->count(i); n++) {
+      if (bonds->bond_state(i, n) != FixTMSPHBond::INTACT) continue;
       const size_t at = slices.at(i / WIDTH, i % WIDTH, n);
-      if (slices.weight[at] == 0.0f) continue;
       const int j = slices.partner[at], jtype = atom->type[j];
       double ki = k[itype], kj = k[jtype];
       if (substances[itype].orthotropic || substances[jtype].orthotropic) {
@@ -374,11 +453,22 @@ template <int D> void FixTMSPHHeat::find_conductances()
         if (substances[itype].orthotropic) ki = directional[itype](e);
         if (substances[jtype].orthotropic) kj = directional[jtype](e);
       }
-      const double base = (all_norms[i] + all_norms[j]) * slices.weight[at];
-      conductances[at] = (float) (base * harmonic_mean(ki, kj));
+      const double base = (all_norms[i] + all_norms[j]) * bonds->weight(i, j);
+      const bool across = itype != jtype && !tables;
+      conductances[at] = (float) (base * (across ? in_series(ki, all_depths[i], kj, all_depths[j])
+                                                 : harmonic_mean(ki, kj)));
       sums[i] += tables ? base * harmonic_mean(most[itype], most[jtype]) : conductances[at];
     }
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<double> FixTMSPHHeat::stored(int column) const
+{
+  std::vector<double> values(atom->nlocal);
+  for (int i = 0; i < atom->nlocal; i++) values[i] = norms->astore[i][column];
+  return values;
 }
 
 /* ----------------------------------------------------------------------
@@ -390,8 +480,10 @@ void FixTMSPHHeat::follow()
 {
   if (version != bonds->layout_version()) {
     version = bonds->layout_version();
-    all_norms.assign(norms->vstore, norms->vstore + atom->nlocal);
+    all_norms = stored(NORM);
     share(all_norms);
+    all_depths = stored(DEPTH);
+    share(all_depths);
     domain->dimension == 2 ? find_conductances<2>() : find_conductances<3>();
   } else if (removals != bonds->removals())
     drop_conductances();
@@ -404,9 +496,11 @@ void FixTMSPHHeat::follow()
 
 void FixTMSPHHeat::drop_conductances()
 {
-  const std::vector<float> &weight = bonds->layout().weight;
-  for (size_t at = 0; at < weight.size(); at++)
-    if (weight[at] == 0.0f) conductances[at] = 0.0f;
+  const Slices &slices = bonds->layout();
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int n = 0; n < bonds->count(i); n++)
+      if (bonds->bond_state(i, n) != FixTMSPHBond::INTACT)
+        conductances[slices.at(i / WIDTH, i % WIDTH, n)] = 0.0f;
 }
 
 /* ----------------------------------------------------------------------

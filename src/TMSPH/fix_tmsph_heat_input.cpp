@@ -339,7 +339,7 @@ void FixTMSPHHeat::restart(char *buf)
 
 double FixTMSPHHeat::memory_usage()
 {
-  const size_t doubles = conductivities.capacity() + sums.capacity() + all_norms.capacity() +
+  const size_t doubles = conductivities.capacity() + sums.capacity() + all_norms.capacity() + all_depths.capacity() +
       shared.capacity() + source_of.capacity() + power.capacity();
   return doubles * sizeof(double) + conductances.capacity() * sizeof(float) +
       held.capacity() * sizeof(int) + exchanges.capacity() * sizeof(Exchange);

@@ -6,7 +6,8 @@
    rho c V_i dT_i/dt = sum_j G_ij (T_j - T_i), with W_ij = V_i V_j w_ij and e
    the unit vector of the bond,
      G_ij = (c_i + c_j) W_ij h(k_i(e), k_j(e)),   c = D/sum_j V_j w R^2,
-   h the harmonic mean: two half bonds in series. A linear field on a regular
+   h the harmonic mean, two half bonds in series, or, across an interface of two materials, both parts
+   in series in proportion to the depths below it. A linear field on a regular
    lattice then has the exact flux. Cleary and Monaghan, J. Comput. Phys. 148
    (1999) 227, have the pair form; c and what follows are of this package.
 ------------------------------------------------------------------------- */
@@ -23,6 +24,12 @@ namespace TMSPH {
 inline double harmonic_mean(double a, double b)
 {
   return a + b > 0.0 ? 2.0 * (a * b) / (a + b) : 0.0;
+}
+
+/// Two layers of different conductivity and thickness in series, as one; the same for equal ones.
+inline double in_series(double a, double thickness_a, double b, double thickness_b)
+{
+  return (thickness_a + thickness_b) / (thickness_a / a + thickness_b / b);
 }
 
 /** Conductivity of bonds in an anisotropic solid,
