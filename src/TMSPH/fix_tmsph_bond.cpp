@@ -34,7 +34,8 @@ using TMSPH::WIDTH;
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
     npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), first_tag(nullptr),
-    lag(nullptr), running(false), horizon(0.0), kappa(0.0), period{0.0, 0.0, 0.0},
+    lag(nullptr), running(false), horizon(0.0), kappa(0.0),
+    thickness(1.0), period{0.0, 0.0, 0.0},
     natoms_at_setup(0), version(0), nremoved(0), what_to_send(REFERENCE)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
@@ -121,7 +122,10 @@ void FixTMSPHBond::setup_post_neighbor()
   }
   send_references();
   lay_out();
-  if (fresh) kappa = largest_kappa();
+  if (fresh) {
+    kappa = largest_kappa();
+    thickness = find_thickness();
+  }
   natoms_at_setup = atom->natoms;
 }
 
@@ -406,17 +410,40 @@ float FixTMSPHBond::weight(int i, int j) const
                                       user->horizon(atom->type[i], atom->type[j])));
 }
 
-/* ----------------------------------------------------------------------
-   In 2-D the volume is an area times the thickness, which tr K/D tells but for the
-   error of its sum: a thickness near 1 is 1.
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 double FixTMSPHBond::spacing(int i) const
 {
-  static constexpr double NEAR_ONE = 1.5;
-  if (domain->dimension == 3) return std::cbrt(atom->vfrac[i]);
-  const bool one = kappa < NEAR_ONE && kappa > 1.0 / NEAR_ONE;
-  return std::sqrt(atom->vfrac[i] / (one ? 1.0 : kappa));
+  return domain->dimension == 3 ? std::cbrt(atom->vfrac[i])
+                                : std::sqrt(atom->vfrac[i] / thickness);
+}
+
+/* ----------------------------------------------------------------------
+   In 2-D the volume is an area times the thickness. The area is about the square of
+   the distance to the nearest partner: near 1, the thickness is 1.
+------------------------------------------------------------------------- */
+
+double FixTMSPHBond::find_thickness() const
+{
+  static constexpr double NEAR_ONE = 2.5;
+  if (domain->dimension == 3) return 1.0;
+  double mine[2] = {0.0, 0.0}, all[2];
+  for (int i = 0; i < atom->nlocal; i++) {
+    double nearest = HUGE_VAL, X[3];
+    for (int k = 0; k < npartner[i]; k++) {
+      const int j = partner_index(i, k);
+      if (j == i || state[i][k] == UNBONDED) continue;
+      reference_vector(i, j, X);
+      nearest = std::min(nearest, X[0] * X[0] + X[1] * X[1]);
+    }
+    if (nearest == HUGE_VAL) continue;
+    mine[0] += atom->vfrac[i];
+    mine[1] += nearest;
+  }
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  const double ratio = all[1] > 0.0 ? all[0] / all[1] : 1.0;
+  if (ratio < NEAR_ONE && ratio > 1.0 / NEAR_ONE) return 1.0;
+  return (float) ratio;    // the last digits depend on how the sums are spread over processors
 }
 
 /* ----------------------------------------------------------------------

@@ -141,6 +141,7 @@ class FixTMSPHBond : public Fix {
   double horizon;               // with which the bonds formed, the largest
   std::vector<double> type_horizons;    // and that of each type
   double kappa;
+  double thickness;             // that the volumes imply in 2-D, else 1
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
   int version, nremoved;
@@ -159,6 +160,7 @@ class FixTMSPHBond : public Fix {
   int find_partner(int, tagint) const;
   void check_families() const;
   double largest_kappa() const;
+  double find_thickness() const;
   void resize_partners(int);
   void keep_velocities();
 };

@@ -150,9 +150,9 @@ void FixTMSPHBond::write_restart(FILE *fp)
   if (comm->me) return;
   std::vector<double> list = {
       (double) bonds_formed, (double) maxpartner, (double) (lag != nullptr), period[0], period[1],
-      period[2],             kappa,               horizon};
-  list.resize(8 + atom->ntypes);
-  for (int t = 1; bonds_formed && t <= atom->ntypes; t++) list[7 + t] = type_horizons[t];
+      period[2],             kappa,               thickness,             horizon};
+  list.resize(9 + atom->ntypes);
+  for (int t = 1; bonds_formed && t <= atom->ntypes; t++) list[8 + t] = type_horizons[t];
   const int size = list.size() * sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(list.data(), sizeof(double), list.size(), fp);
@@ -162,15 +162,16 @@ void FixTMSPHBond::write_restart(FILE *fp)
 
 void FixTMSPHBond::restart(char *buf)
 {
-  std::vector<double> list(8 + atom->ntypes);
+  std::vector<double> list(9 + atom->ntypes);
   memcpy(list.data(), buf, list.size() * sizeof(double));
   bonds_formed = list[0] != 0.0;
   resize_partners((int) list[1]);
   if (list[2] != 0.0) memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
   for (int k = 0; k < 3; k++) period[k] = list[3 + k];
   kappa = list[6];
-  horizon = list[7];
-  type_horizons.assign(list.begin() + 7, list.end());
+  thickness = list[7];
+  horizon = list[8];
+  type_horizons.assign(list.begin() + 8, list.end());
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
   natoms_at_setup = atom->natoms;
 }
