@@ -40,6 +40,7 @@ struct ContactPair : PairGeometry {
   double stiffness;        ///< k_n/w
   double shear_ratio;      ///< k_t/k_n
   double friction;         ///< coefficient
+  bool between_bodies;     ///< not of one body, with a crack or in pieces
   double horizon;          ///< support of the kernel
 };
 
@@ -204,7 +205,10 @@ inline double contact_force(ContactLaw law, const ContactPair &pair, const Conta
                            excess);
   for (int a = 0; a < D; a++) force[a] = normal * s.normal[a];
   const double pressed = normal > 0.0 ? normal / s.stiffness : 0.0;
-  for (int k = 0; k < D - 1; k++)    // the energy k_n p^2/2 changes with the slip as well
+  // the energy k_n p^2/2 changes with the slip as well. Not for the faces of cracks: there fragments can
+  // be pressed so deep that this force, which is not implicit, feeds on itself
+
+  for (int k = 0; pair.between_bodies && k < D - 1; k++)
     for (int a = 0; a < D; a++)
       force[a] -= 0.5 * pressed * pressed * s.fading[k] * s.tangent[k][a];
   for (int k = 0; k < D - 1; k++) {
