@@ -317,6 +317,5 @@ void FixTMSPHContact::set_stiffness(Pairing &pairing, double kappa, double ratio
   pairing.pair.stiffness =
       stiffness * closure * 2.0 * modulus / kappa * atom->vfrac[low] * atom->vfrac[high];
   pairing.pair.friction = friction[type[low]][type[high]];
-  pairing.pair.between_bodies = !pair->bonded(type[low], type[high]);
   pairing.pair.horizon = pair->horizon(type[low], type[high]);
 }

@@ -40,7 +40,6 @@ struct ContactPair : PairGeometry {
   double stiffness;        ///< k_n/w
   double shear_ratio;      ///< k_t/k_n
   double friction;         ///< coefficient
-  bool between_bodies;     ///< not of one body, with a crack or in pieces
   double horizon;          ///< support of the kernel
 };
 
@@ -56,7 +55,6 @@ template <int D> struct ContactState {
   double r[D], normal[D], tangent[D - 1][D];
   double weight;                  ///< w
   double stiffness;               ///< k_n
-  double fading[D - 1];           ///< change of k_n with the tangential distances
   double shear_ratio;             ///< k_t/k_n
   double closing;                 ///< velocity
   double penetration;             ///< now
@@ -168,15 +166,6 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
   s.weight = kernel_slope(kernel, D, R, pair.horizon);
   s.stiffness = pair.stiffness * s.weight;
   s.shear_ratio = pair.shear_ratio;
-  const double width = 1.0e-4 * pair.horizon;
-  const double slope = pair.stiffness * (kernel_slope(kernel, D, R + width, pair.horizon) -
-                                         kernel_slope(kernel, D, R - width, pair.horizon)) /
-      (2.0 * width);
-  for (int k = 0; k < D - 1; k++) {
-    double tau = 0.0;
-    for (int a = 0; a < D; a++) tau += s.tangent[k][a] * s.r[a];
-    s.fading[k] = slope * tau / R;
-  }
   s.closing = 0.0;
   for (int a = 0; a < D; a++) s.closing -= s.normal[a] * (high.v[a] - low.v[a]);
   s.penetration = touching - apart;
@@ -204,13 +193,6 @@ inline double contact_force(ContactLaw law, const ContactPair &pair, const Conta
   implicit_friction<D - 1>(ratio * s.stiffness, ratio * q, pair.friction * normal, s.slip, friction,
                            excess);
   for (int a = 0; a < D; a++) force[a] = normal * s.normal[a];
-  const double pressed = normal > 0.0 ? normal / s.stiffness : 0.0;
-  // the energy k_n p^2/2 changes with the slip as well. Not for the faces of cracks: there fragments can
-  // be pressed so deep that this force, which is not implicit, feeds on itself
-
-  for (int k = 0; pair.between_bodies && k < D - 1; k++)
-    for (int a = 0; a < D; a++)
-      force[a] -= 0.5 * pressed * pressed * s.fading[k] * s.tangent[k][a];
   for (int k = 0; k < D - 1; k++) {
     for (int a = 0; a < D; a++) force[a] -= friction[k] * s.tangent[k][a];
     heat += friction[k] * excess[k];
