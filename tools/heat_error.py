@@ -24,12 +24,15 @@ SIZES = {2: [10, 20], 4: [10, 20, 40, 80]}    # of the slabs, by how many
 
 
 def main(out, *files):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2), sharex=True, sharey=True)
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 5.4), sharex=True, sharey=True)
     for file in files:
         found = re.findall(r"^ +(.*?)(?:, \[(.*)\])?: errors: (.*)$", Path(file).read_text(), re.M)
         for title, sizes, errors in found:
             errors = [float(word) for word in errors.split(",")]
             n = [int(word) for word in sizes.split(",")] if sizes else SIZES[len(errors)]
+            if "areas given" in title:
+                continue    # close to those that are found
+            title = title.replace(", areas found", "")
             style = "--" if "jittered" in title else "-." if "sc" in title else "-"
             axis = right if sizes else left
             axis.loglog(n, errors, "o" + style, ms=3, lw=1, label=title)
@@ -39,7 +42,7 @@ def main(out, *files):
         axis.loglog(n, 0.05 * (10 / n), "k-", lw=0.5, label="first order")
         axis.set_title(title)
         axis.set_xlabel("particles across, along the radius")
-        axis.legend(fontsize="xx-small", ncols=2)
+        axis.legend(fontsize="x-small", ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.14))
     left.set_ylabel("root mean square error")
     figure.tight_layout()
     figure.savefig(out, dpi=100)

@@ -36,6 +36,7 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
     TMSPH::Surface surface;
     double area = 0.0;             ///< 0: the particle is inside
     double one_sidedness = 0.0;    ///< see there
+    bool outermost = false;
   };
   /// mean power in the last advance and energy so far that a boundary or the sources brought
   struct Account {
@@ -72,6 +73,9 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   Account account(const class FixTMSPHHeatBoundary *) const;
 
  private:
+  // one-sidedness inside an irregular cloud, at least: with spacings that vary by a few thousandths
+  static constexpr double IRREGULAR = 1.0e-3;
+
   struct Substance {
     TMSPH::PropertyTable conductivity, specific_heat;
     bool orthotropic = false;
@@ -82,7 +86,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   };
   class PairTMSPH *pair;
   class FixTMSPHBond *bonds;
-  enum { NORM, DEPTH, NSTORED };   // c, and depth below an interface or 0: columns of the store
+  // columns of the store: c, depth below an interface or 0, see fix_tmsph_heat_evening.cpp
+  enum { NORM, DEPTH, MULTIPLIER, NSTORED = MULTIPLIER + 3 };
   class FixStoreAtom *norms;       // they are frozen when the bonds formed
   std::string norms_id;
   std::vector<Substance> substances;    // by type
@@ -99,6 +104,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   std::vector<float> conductances; // [row][8], without the conductivity if there are tables
   std::vector<double> conductivities;    // of local and ghost particles, with tables
   std::vector<double> all_norms, all_depths;    // of local and ghost particles
+  bool evened;                     // the body is irregular
+  std::vector<double> multipliers[3];    // then, of local and ghost particles, by component
   std::vector<double> sums;        // sum_j G_ij of local particles, at the largest conductivity
   std::vector<double> shared;      // of local and ghost particles, one number each
   enum { TEMPERATURE, SHARED } what_to_send;
@@ -130,12 +137,13 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void find_norms();
   void find_depths();
   std::vector<double> stored(int column) const;
-  void scale_areas(std::vector<SurfaceShare> &) const;
   template <int D> std::vector<SurfaceShare> classify(bool cracks);
   std::vector<char> near_surface(const std::vector<SurfaceShare> &);
   double interior_noise(const std::vector<SurfaceShare> &, const std::vector<char> &near) const;
   template <int D> void calibrate(int type, const std::vector<char> &near);
-  template <int D> void allow_for_disorder(int type, const std::vector<char> &near);
+  template <int D> void even_out();
+  double evening(int i, int j, const double *X) const;
+  void share_multipliers();
   template <int D> void find_conductances();
   void drop_conductances();
   void follow();

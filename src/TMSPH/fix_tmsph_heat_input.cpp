@@ -36,7 +36,7 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), norms(nullptr),
     substances(atom->ntypes + 1), rkl2(true), tables(false), every(1), time_scale(1.0),
     gap(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0)), crosses(false),
-    friction(false), viscous(false), told(false), version(-1), removals(0),
+    friction(false), viscous(false), told(false), version(-1), removals(0), evened(false),
     what_to_send(TEMPERATURE), heats(false), cools(false), stable(0.0), covered(0.0), fastest(0.0),
     comfortable(MAXSMALLINT / 2), applications(0)
 {
@@ -340,7 +340,7 @@ void FixTMSPHHeat::restart(char *buf)
 double FixTMSPHHeat::memory_usage()
 {
   const size_t doubles = conductivities.capacity() + sums.capacity() + all_norms.capacity() +
-      all_depths.capacity() +
+      all_depths.capacity() + multipliers[0].capacity() * 3 +
       shared.capacity() + source_of.capacity() + power.capacity();
   return doubles * sizeof(double) + conductances.capacity() * sizeof(float) +
       held.capacity() * sizeof(int) + exchanges.capacity() * sizeof(Exchange);

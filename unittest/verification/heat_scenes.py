@@ -26,13 +26,13 @@ class Heated(Scene):
         return self.done.frame("end")["c_T"]
 
 
-def slab(n, name="square", jitter=0.0, width=None):
+def slab(n, name="square", jitter=0.0, width=None, draw=4711):
     """n cells across a slab of unit thickness, some along it, periodic there."""
     edges = LATTICES[name][0]
     width = width or {"square": 8, "hex": 6, "sc": 7}[name]
     cells = (n,) + (width,) * (len(edges) - 1)
     cloud = lattice(name, cells, 1.0 / (n * edges[0]), periodic="yz"[: len(edges) - 1])
-    return cloud.jitter(jitter, 4711) if jitter else cloud
+    return cloud.jitter(jitter, draw) if jitter else cloud
 
 
 SIDES = ("region left block INF 0.5 INF INF INF INF\ngroup left region left\n"
