@@ -28,10 +28,12 @@ the strike and dip of its plane. An event alone counts with the direction normal
 events fill the surroundings evenly there is no direction; those are counted apart. Angles are from
 the x axis, counterclockwise; in 3-D strike is the angle of the horizontal line in the crack.
 
-The files that doc/output.md shows:
+The picture in doc/output.md:
     ./tmsph run examples/disc/in.disc
     cd examples/disc
-    ../../tools/cracks.py events.txt --curve broken_bonds.txt --out ../../doc/images/cracks
+    ../../tools/cracks.py events.txt --curve broken_bonds.txt
+    ../../tools/montage.py ../../doc/images/cracks.png rose=cracks.rose.png \\
+        events=cracks.events.png length=cracks.length.png
 """
 import argparse
 import re
@@ -140,7 +142,7 @@ def draw_rose(path, edges, counts):
             ax.bar(middle + turn, count, width, bottom, color=colour, label=name)
         bottom = bottom + count
     ax.set_title("events by direction of the crack")
-    ax.legend(loc="lower right")
+    ax.legend(loc="lower right", bbox_to_anchor=(1.1, -0.12))
     save(figure, path)
 
 
