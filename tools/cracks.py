@@ -141,6 +141,8 @@ def draw_rose(path, edges, counts):
         for turn, name in ((0, label), (np.pi, None)):
             ax.bar(middle + turn, count, width, bottom, color=colour, label=name)
         bottom = bottom + count
+    ax.yaxis.set_major_locator(pyplot().MaxNLocator(4))
+    ax.set_rlabel_position(75)
     ax.set_title("events by direction of the crack")
     ax.legend(loc="lower right", bbox_to_anchor=(1.1, -0.12))
     save(figure, path)
