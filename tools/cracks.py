@@ -68,7 +68,8 @@ class Events:
                  "fix tmsph/hoekbrown: use 'write_dump all local FILE index f_ID[*]'")
         table = table[:, columns]
         if not np.isin(table[:, 10], (1, 2)).all():
-            stop(f"{path}: column 11 is not 1 for tension or 2 for shear: not all 13 columns in order")
+            stop(f"{path}: column 11 is not 1 for tension or 2 for shear: give all 13 in "
+                 "their order")
         table = table[np.lexsort((table[:, 1], table[:, 0], table[:, 2]))]
         self.ids, self.step, self.time = table[:, :2].astype(int), table[:, 2], table[:, 3]
         self.place, self.bond = table[:, 4:7], table[:, 7:10]
@@ -121,7 +122,8 @@ def rose(events, radius, bins):
     # the line in the crack: the normal turned by a right angle, in 3-D that of its horizontal part
     angle = (np.degrees(np.arctan2(normal[:, 1], normal[:, 0])) + 90) % 180
     edges = np.linspace(0, 180, bins + 1)
-    counts = [np.histogram(angle[known & (events.shear == kind)], edges)[0] for kind in (False, True)]
+    counts = [np.histogram(angle[known & (events.shear == kind)], edges)[0] for kind in (False,
+                                                                                         True)]
     dip = np.degrees(np.arccos(np.abs(normal[known, 2]))) if events.dimension == 3 else None
     return edges, counts, int(np.count_nonzero(~known)), dip
 
@@ -187,7 +189,8 @@ def crack_length(arguments):
 
 
 def main(words):
-    parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0], add_help=False)
+    parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0],
+                                     add_help=False)
     parser.add_argument("events", nargs="?")
     parser.add_argument("--curve")
     parser.add_argument("--log")

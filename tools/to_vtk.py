@@ -9,10 +9,11 @@ Every frame becomes PREFIX.STEP.vtu, and PREFIX.pvd is the series of all with th
 fx fy, with uz, vz and fz if they are there, become the vectors displacement, velocity and force.
 Positions are x y z or xu yu zu, 0 where there is none.
 
---names NAME ...  the names of the columns that are called c_ID[k], f_ID[k] or v_NAME, in their order
-                  ('dump_modify ID colname' does the same when the dump is written)
---bonds BONDS     'dump local' of compute tmsph/bond/local, with id1 and id2 as its first columns after
-                  index, written at the same steps: lines in PREFIX.bonds.STEP.vtu, PREFIX.bonds.pvd
+--names NAME ...  the names of the columns that are called c_ID[k], f_ID[k] or v_NAME, in their
+                  order ('dump_modify ID colname' does the same when the dump is written)
+--bonds BONDS     'dump local' of compute tmsph/bond/local, with id1 and id2 as its first columns
+                  after index, written at the same steps: lines in PREFIX.bonds.STEP.vtu and
+                  PREFIX.bonds.pvd
 
 What doc/output.md shows:
     ./tmsph run examples/disc/in.disc -var bonds yes
@@ -62,14 +63,15 @@ def grid(path, points, cells, kind, point_data, cell_data):
 
 def series(path, files):
     with open(path, "w") as file:
-        file.write('<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0">\n<Collection>\n')
+        file.write('<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0">\n'
+                   '<Collection>\n')
         for step, name in files:
             file.write(f'<DataSet timestep="{step}" part="0" file="{name}"/>\n')
         file.write("</Collection>\n</VTKFile>\n")
 
 
 def stacked(columns, names):
-    """Columns side by side, those that are missing as zeros; None if all but the third are not there."""
+    """Columns side by side, the third as zeros if it is missing; None without the first two."""
     if not all(name in columns for name in names[:2]):
         return None
     return np.stack([columns.get(name, np.zeros_like(columns[names[0]])) for name in names], axis=1)
@@ -91,7 +93,7 @@ def fields(columns):
 
 
 def renamed(names, given, path):
-    """The names of the columns, those of computes, fixes and variables replaced by the given ones."""
+    """The names of the columns, the given ones for those of computes, fixes and variables."""
     ours = [k for k, name in enumerate(names) if re.match(r"[cfv]_", name)]
     if given is None:
         return list(names)
@@ -147,7 +149,8 @@ def bonds(path, known):
 
 
 def main(words):
-    parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0], add_help=False)
+    parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0],
+                                     add_help=False)
     parser.add_argument("dump", nargs="?")
     parser.add_argument("--bonds")
     parser.add_argument("--names", nargs="+")

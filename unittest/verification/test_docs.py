@@ -1,8 +1,8 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """The documentation agrees with the code: every style has a page with its sections,
-every keyword that a style reads is on its page, links lead somewhere, inputs, tools, tests and styles
-that pages name exist, and what can be run is run: the inputs of the Howto and of the tutorial, and the
-usage in the material sets."""
+every keyword that a style reads is on its page, links lead somewhere, inputs, tools, tests and
+styles that pages name exist, and what can be run is run: the inputs of the Howto and of the
+tutorial, and the usage in the material sets."""
 
 import os
 import re
@@ -155,16 +155,18 @@ def check_markdown(path):
 
 
 def check_tutorial():
-    """Its blocks one after the other, and with the one of contact behind the rocks, on a coarse disc."""
+    """Its blocks one after the other, and with that of contact behind the rocks, coarsely."""
     text = (ROOT / "doc/tutorial.md").read_text()
     blocks = re.findall(r"^```lammps( contact)?\n(.*?)^```", text, re.M | re.S)
     touching = "".join(block for contact, block in blocks if contact)
     plain = [block for contact, block in blocks if not contact]
     check(len(plain) == 4 and touching, "doc/tutorial.md has other blocks than this test knows")
     for what, parts in (("bonded", plain), ("in contact", plain[:2] + [touching] + plain[2:])):
-        out = run("variable dx index 1e-3\n" + "\n".join(parts), f"input of doc/tutorial.md, {what}")
+        out = run("variable dx index 1e-3\n" + "\n".join(parts),
+                  f"input of doc/tutorial.md, {what}")
         broken = re.findall(r"^ +10000 +260 +(\d+)", out, re.M)
-        check(broken and int(broken[0]) > 50, f"the disc of doc/tutorial.md, {what}, does not crack")
+        check(broken and int(broken[0]) > 50,
+              f"the disc of doc/tutorial.md, {what}, does not crack")
 
 
 def run(text, what):

@@ -41,12 +41,13 @@ def generating_slab(report):
         T = body.run_to(4.0, 40)
         x = body.cloud.X[:, 0]
         errors.append(np.abs(T - 4 * x * (1 - x)).max())
-    report.below("slab that generates heat, n = 20: largest error/largest temperature", errors[-1], 0.01)
+    report.below("slab that generates heat, n = 20: largest error/largest temperature", errors[-1],
+                 0.01)
     report.above("the same: order", order(errors)[-1], 1.5)
 
 
 def line_source(report):
-    """Plane strain; the disc is so large that the heat has not come to its rim, but its stress has."""
+    """Plane strain; the heat has not come to the rim of the disc yet, but its stress has."""
     dx, R = 1e-3, 0.06
     cloud = lattice("square", (124, 124), dx, centre=True)
     cloud = cloud.kept(lambda X: np.hypot(*X.T) < R)
@@ -61,7 +62,7 @@ def line_source(report):
     b = (cloud.volume.sum() / np.pi) ** 0.5
     exact = power / (4 * np.pi * K) * exponential_integral(r**2 / (4 * KAPPA * time))
     away = (r > 5 * dx) & (r < R - 4 * dx)
-    report.below("line source: largest error of the temperature 5 spacings and more from it/largest there",
+    report.below("line source: error of the temperature 5 spacings and more from it/largest",
                  np.abs(end["c_T"] - exact)[away].max() / exact[away].max(), 0.01)
     grid = np.linspace(1e-6 * R, b, 3001)
     middle, width = 0.5 * (grid[1:] + grid[:-1]), np.diff(grid)
@@ -93,7 +94,8 @@ def half_space(report):
     T = erfc(x / (4 * KAPPA * time) ** 0.5)
     report.below("half-space: largest error of the temperature", np.abs(end["c_T"] - T).max(), 0.01)
     scale = E * ALPHA * T0 / (1 - NU)
-    error = max(np.abs(end["c_p[1]"]).max(), *(np.abs(end[f"c_p[{k}]"] + scale * T).max() for k in (2, 3)))
+    error = max(np.abs(end["c_p[1]"]).max(),
+                *(np.abs(end[f"c_p[{k}]"] + scale * T).max() for k in (2, 3)))
     report.below("half-space in equilibrium: largest error of a stress/stress at the surface",
                  error / scale, 0.02)
 
@@ -118,13 +120,14 @@ def danilovskaya(report):
     end = body.snapshot("end", "c_T c_p").run().frame("end")
     xi = cloud.X[:, 0] / (unit * dx)
     root = tau**0.5
-    pair = (np.exp(tau - xi) * erfc(xi / (2 * root) - root) + np.exp(tau + xi) * erfc(xi / (2 * root) + root))
+    pair = sum(np.exp(tau - sign * xi) * erfc(xi / (2 * root) - sign * root) for sign in (1, -1))
     exact = np.where(xi < tau, np.exp(np.minimum(tau - xi, 9)), 0) - 0.5 * pair
     size = modulus * (1 + NU) / (1 - NU) * ALPHA * T0
     error = end["c_p"] / size - exact
     away = (np.abs(xi - tau) > 0.15) & (xi > 0.1)
-    report.note("Danilovskaya: largest exact stress, tension and pressure", f"{exact.max():.3f} {exact.min():.3f}")
-    report.below("Danilovskaya: root mean square error of the stress/jump at the front, away from it",
+    report.note("Danilovskaya: largest exact stress, tension and pressure",
+                f"{exact.max():.3f} {exact.min():.3f}")
+    report.below("Danilovskaya: rms error of the stress/jump at the front, away from it",
                  rms(error[away]), 0.03)
     front = np.interp(0.5 * (exact[xi < tau].max() + exact[xi > tau].min()),
                       *[a[np.abs(xi - tau) < 0.1][::-1] for a in (end["c_p"] / size, xi)])

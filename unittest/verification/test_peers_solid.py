@@ -1,12 +1,13 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Problems that peridynamic codes verify themselves with, as far as other tests do not have them
-(see doc/report/peers_verification.md): the front of a pulse in a slender bar, a torsional vibration,
-a crack in tension, against closed forms.
+(see doc/report/peers_verification.md), against closed forms: the front of a pulse in a slender
+bar, a torsional vibration, a crack in tension.
 
-Bars: those of Peridynamics.jl for the front and for torsion are 25 and 30 %, here 2 and 10 %, the latter
-of first order at least as the sides are soft. Bonds across a cut are missing up to half a horizon
-beyond its tips: by that share of its half-length the opening of a crack may be wrong, and by twice that the energy
-release rate, where the correction for the width grows as well; with first order."""
+Bars: those of Peridynamics.jl for the front and for torsion are 25 and 30 %, here 2 and 10 %, the
+latter of first order at least as the sides are soft. Bonds across a cut are missing up to half a
+horizon beyond its tips: by that share of its half-length the opening of a crack may be wrong, and
+by twice that the energy release rate, where the correction for the width grows as well; with
+first order."""
 
 from tmsph_testing import *
 
@@ -26,7 +27,8 @@ def pulse(report):
     scene.add(f"region end block INF {dx} INF INF INF INF\ngroup end region end\n"
               f"group rest subtract all end\nfix move rest nve\ntimestep {dt:.17g}\n"
               f"variable v equal {v}*ternary(time<{ramp:.9g},time/{ramp:.9g},1)\n"
-              f"variable u equal {v}*ternary(time<{ramp:.9g},time^2/{2 * ramp:.9g},time-{0.5 * ramp:.9g})\n"
+              f"variable u equal {v}*ternary(time<{ramp:.9g},time^2/{2 * ramp:.9g},"
+              f"time-{0.5 * ramp:.9g})\n"
               "fix pull end move variable v_u NULL NULL v_v NULL NULL")
     places = []
     steps = round(120 * dx / c / dt)
@@ -43,7 +45,8 @@ def pulse(report):
 
 
 def torsion(n):
-    """Frequency over the exact one and change of the energy. Free square rod, first mode: G J theta'' = rho I theta_tt with J = 0.1406 a^4, I = a^4/6."""
+    """Frequency over the exact one and change of the energy. Free square rod, first mode:
+    G J theta'' = rho I theta_tt with J = 0.1406 a^4, I = a^4/6."""
     length, dx = 8 * n, 8e-3 / n
     cloud = lattice("sc", (length, n, n), dx, centre=True)
     G = E / (2 * (1 + NU))
@@ -55,9 +58,11 @@ def torsion(n):
     scene.set("vy vz", np.stack([-spin * cloud.X[:, 2], spin * cloud.X[:, 1]], axis=1))
     period = 2 * np.pi / omega
     every = int(np.ceil(period / 24 / (0.4 * dx / (E / RHO) ** 0.5)))
-    scene.files["shape"] = f"\n{len(cloud)}\n" + "".join(f"{i + 1} {v:.17g}\n" for i, v in enumerate(shape))
+    scene.files["shape"] = f"\n{len(cloud)}\n" + "".join(f"{i + 1} {v:.17g}\n" for i,
+                                                         v in enumerate(shape))
     scene.add("variable s atomfile shape\ncompute u all tmsph/property/atom uy uz y0 z0\nrun 0\n"
-              "variable q atom (c_u[2]*c_u[3]-c_u[1]*c_u[4])*v_s\ncompute q all reduce sum v_q\nfix move all nve\n"
+              "variable q atom (c_u[2]*c_u[3]-c_u[1]*c_u[4])*v_s\ncompute q all reduce sum v_q\n"
+              "fix move all nve\n"
               f"timestep {period / 24 / every:.17g}")
     run = scene.thermo("step c_q etotal", every).add(f"run {24 * every}").run()
     measured = sampled_frequency(run.thermo("c_q")[1:], period / 24)
@@ -77,7 +82,8 @@ class Crack:
         cloud = lattice("square", (n, rows), self.dx, centre=True)
         self.a, b = half * self.dx, 0.5 * n * self.dx
         self.alpha = self.a / b
-        tip, edge, force = self.a + further * self.dx, (0.5 * rows - 0.9) * self.dx, self.S * self.dx
+        tip, edge = self.a + further * self.dx, (0.5 * rows - 0.9) * self.dx
+        force = self.S * self.dx
         scene = Scene(cloud, [ROCK]).thermo("step pe")
         scene.add(f"region top block INF INF {edge} INF INF INF\ngroup top region top\n"
                   f"region low block INF INF INF {-edge} INF INF\ngroup low region low\n"
@@ -111,7 +117,8 @@ report = Report()
 pulse(report)
 
 frequency, energy = zip(*[torsion(n) for n in (6, 9)])
-report.note("torsion of a square rod, 6 and 9 rows: frequency/exact", "{:.4f} {:.4f}".format(*frequency))
+report.note("torsion of a square rod, 6 and 9 rows: frequency/exact",
+            "{:.4f} {:.4f}".format(*frequency))
 report.below("torsion, 9 rows: error of the frequency", abs(frequency[1] - 1), 0.10)
 report.above("torsion: order", order(np.array(frequency) - 1, 1.5)[0], 1.0)
 report.below("torsion: change of energy/energy", max(energy), 0.01)
@@ -123,6 +130,7 @@ for half in (8, 16, 24):
                  0.5 * HORIZON / half)
 report.above("crack: order of the opening", order(gaps[:2])[0], 0.8)
 for half in (12, 24):
-    report.below(f"crack of half-length {half}: error of the energy release rate", release_error(half),
+    report.below(f"crack of half-length {half}: error of the energy release rate",
+                 release_error(half),
                  HORIZON / half)
 report.finish()

@@ -1,9 +1,9 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""tools/cracks.py and tools/to_vtk.py on what a coarse examples/disc writes, and the dumps themselves
-read by ASE, a reader of LAMMPS dumps that is not ours. Counts are those of the fix itself, lengths
-those of compute tmsph/crack; the cracks of the disc run radially, with the expansions exchanged around
-the inclusion; events made of the bonds that tmsph/cut removes along a line point along it. Wrong
-files stop with one line that says why."""
+"""tools/cracks.py and tools/to_vtk.py on what a coarse examples/disc writes, and the dumps
+themselves read by ASE, a reader of LAMMPS dumps that is not ours. Counts are those of the fix
+itself, lengths those of compute tmsph/crack; the cracks of the disc run radially, with the
+expansions exchanged around the inclusion; events made of the bonds that tmsph/cut removes along
+a line or plane point along it. Wrong files stop with one line that says why."""
 
 import base64
 import csv
@@ -21,8 +21,8 @@ folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
 
 
 def tool(name, *words, fails=False):
-    done = subprocess.run([sys.executable, ROOT / "tools" / name, *map(str, words)], cwd=folder, text=True,
-                          capture_output=True)
+    command = [sys.executable, ROOT / "tools" / name, *map(str, words)]
+    done = subprocess.run(command, cwd=folder, text=True, capture_output=True)
     if (done.returncode != 0) != fails:
         raise RuntimeError(f"{name} {words}: {done.stdout}{done.stderr}")
     return done.stderr if fails else done.stdout
@@ -34,21 +34,21 @@ def table(name):
     return dict(zip(rows[0], np.array(rows[1:], float).T))
 
 
-def disc(swap, dx=SPACING):
+def disc(swap, dumps=True):
     """Runs the example; its files are left in the folder, under examples/disc."""
-    scene = Script(f"variable dx index {dx}\nvariable swap index {swap}\nvariable dump index 2500\n"
-                   "variable bonds index yes\nlog log.disc\nshell cd examples/disc\ninclude in.disc\n"
-                   "shell cd ../..\nwrite_data end.data\nlog none",
+    scene = Script(f"variable dx index {SPACING}\nvariable swap index {swap}\n"
+                   f"variable dump index {2500 if dumps else 0}\n"
+                   f"variable bonds index {'yes' if dumps else 'no'}\nlog log.disc\n"
+                   "shell cd examples/disc\ninclude in.disc\nshell cd ../..\nlog none",
                    {name: (ROOT / name).read_text() for name in EXAMPLE})
     run = scene.run(keep="examples/disc/*")
     for name, data in run.kept.items():
         (folder / name).write_bytes(data)
     (folder / "log.disc").write_text(run.log)
-    return run
 
 
 def axes(name):
-    """Events with a direction in the rose, and the mean direction as a unit vector of twice the angle."""
+    """Events in the rose, and the mean of their directions as vectors of twice the angle."""
     rose = table(name)
     count = rose["tension"] + rose["shear"]
     angle = np.radians(rose["from_degrees"] + rose["to_degrees"])
@@ -56,31 +56,35 @@ def axes(name):
 
 
 def counts():
-    run = disc("no")
+    disc("no")
     out = tool("cracks.py", "events.txt", "--curve", "broken_bonds.txt", "--out", "curve")
     tool("cracks.py", "events.txt", "--log", "log.disc", "--out", "log", "--against", "step")
-    last = np.loadtxt(folder / "broken_bonds.txt")[-1]    # step temperature broken tension shear area opening
+    curve = np.loadtxt(folder / "broken_bonds.txt")
+    last = curve[-1]    # step temperature broken tension shear area opening
     events = table("curve.events.csv")
-    report.true("cumulative events at the end", events["events"][-1] == last[2] > 100, f"{last[2]:g} of the fix")
+    report.true("cumulative events at the end", events["events"][-1] == last[2] > 100,
+                f"{last[2]:g} of the fix")
     report.true("of them in tension and in shear", (events["tension"][-1], events["shear"][-1])
                 == (last[3], last[4]), f"{last[3]:g}, {last[4]:g} of the fix")
     report.true("temperatures ascend", np.all(np.diff(events["temperature"]) >= 0), "in the table")
-    curve = np.loadtxt(folder / "broken_bonds.txt")
     by_step = table("log.events.csv")
     # of the fix on a step: all events up to that step
     seen = np.searchsorted(by_step["step"], curve[:, 0], side="right")
-    report.true("events up to each step of the curve", np.array_equal(seen, curve[:, 2]), "the fix's own count")
+    report.true("events up to each step of the curve", np.array_equal(seen, curve[:, 2]),
+                "the fix's own count")
     length = table("curve.length.csv")
     report.true("crack length", np.array_equal(length["length"], curve[:, 5])
                 and np.array_equal(length["temperature"], curve[:, 1]), "of compute tmsph/crack")
     short = table("log.length.csv")
-    report.below("crack length from the log: difference at the end", abs(short["length"][-1] / curve[-1, 5] - 1), 1e-6)
+    report.below("crack length from the log: difference at the end",
+                 abs(short["length"][-1] / curve[-1, 5] - 1), 1e-6)
     none = int(re.search(r"(\d+) events have none", out)[1])
-    report.true("rose: all events but those without direction", axes("curve.rose.csv")[0] + none == last[2],
+    report.true("rose: all events but those without direction",
+                axes("curve.rose.csv")[0] + none == last[2],
                 f"{last[2]:g}")
     for name in ("rose", "events", "length"):
-        report.true(f"picture of the {name}", (folder / f"curve.{name}.png").read_bytes()[:4] == b"\x89PNG", "PNG")
-    return run
+        report.true(f"picture of the {name}",
+                    (folder / f"curve.{name}.png").read_bytes()[:4] == b"\x89PNG", "PNG")
 
 
 def directions():
@@ -101,36 +105,65 @@ def directions():
     events, outside, _ = cosines()
     report.within("spacing from the events/spacing", events.spacing() / SPACING, 0.9, 1.1)
     report.below("radial cracks: mean square of normal times radius", outside.mean(), 0.25)
-    disc("yes")
+    disc("yes", dumps=False)
     report.above("exchanged, at the interface: the same", cosines()[2].mean(), 0.75)
 
 
+def events_file(rows):
+    """A dump local of one frame with these rows."""
+    names = " ".join(f"f_b[{k}]" for k in range(1, 14))
+    return "\n".join(["ITEM: TIMESTEP", "0", "ITEM: NUMBER OF ENTRIES", str(len(rows)),
+                      "ITEM: BOX BOUNDS ff ff pp", "0 1", "0 1", "0 1",
+                      f"ITEM: ENTRIES index {names}", *rows, ""])
+
+
+def cut_events(cloud, shape):
+    """Writes line.txt, as if all bonds that a cut crosses had broken; their number."""
+    scene = Scene(cloud, [material()]).add(
+        f"tmsph/cut all {shape}\ncompute b all tmsph/bond/local id1 id2 only cut\n"
+        "run 0\nwrite_dump all local cut.local index c_b[1] c_b[2]")
+    cut = scene.run().frame("cut")
+    i, j = cut["c_b[1]"].astype(int) - 1, cut["c_b[2]"].astype(int) - 1
+    X = np.zeros((len(cloud), 3))
+    X[:, : cloud.dimension] = cloud.X
+    bond = X[j] - X[i]
+    bond /= np.linalg.norm(bond, axis=1)[:, None]
+    rows = np.hstack([0.5 * (X[i] + X[j]), bond])
+    (folder / "line.txt").write_text(events_file(
+        [f"{k + 1} {i[k] + 1} {j[k] + 1} {k} {k} " + " ".join(f"{v:.9g}" for v in row) + f" 1 1 {k}"
+         for k, row in enumerate(rows)]))
+    return len(i)
+
+
 def line():
-    """Events of the bonds that a cut at an angle crosses, on a hexagonal lattice."""
     for angle in (0, 25, 60, 100):
         c, s = 0.3 * np.cos(np.radians(angle)), 0.3 * np.sin(np.radians(angle))
-        cloud = lattice("hex", (50, 29), 0.02, centre=True)
-        scene = Scene(cloud, [material()]).add(
-            f"tmsph/cut all line {-c} {-s} {c} {s}\ncompute b all tmsph/bond/local id1 id2 only cut\n"
-            "run 0\nwrite_dump all local cut.local index c_b[1] c_b[2]")
-        cut = scene.run().frame("cut")
-        i, j = cut["c_b[1]"].astype(int) - 1, cut["c_b[2]"].astype(int) - 1
-        bond = cloud.X[j] - cloud.X[i]
-        bond /= np.linalg.norm(bond, axis=1)[:, None]
-        rows = [f"{k + 1} {i[k] + 1} {j[k] + 1} {k} {k} {0.5 * (cloud.X[i] + cloud.X[j])[k, 0]:.9g} "
-                f"{0.5 * (cloud.X[i] + cloud.X[j])[k, 1]:.9g} 0 {bond[k, 0]:.9g} {bond[k, 1]:.9g} 0 1 1 {k}"
-                for k in range(len(i))]
-        header = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n%d\nITEM: BOX BOUNDS ff ff pp\n0 1\n0 1\n0 1\n" % len(i)
-        names = "ITEM: ENTRIES index " + " ".join(f"f_b[{k}]" for k in range(1, 14))
-        (folder / "line.txt").write_text(header + names + "\n" + "\n".join(rows) + "\n")
+        number = cut_events(lattice("hex", (50, 29), 0.02, centre=True), f"line {-c} {-s} {c} {s}")
         tool("cracks.py", "line.txt", "--bins", 180, "--out", "line")
         count, mean = axes("line.rose.csv")
         found = np.degrees(np.arctan2(*mean[::-1])) / 2
-        report.true(f"line at {angle} degrees: events", count == len(i) > 50, f"all {len(i)} bonds that were cut")
-        report.below(f"line at {angle} degrees: direction off by", abs((found - angle + 90) % 180 - 90), 1.0)
+        report.true(f"line at {angle} degrees: events", count == number > 50, f"all {number}")
+        report.below(f"line at {angle} degrees: direction off by",
+                     abs((found - angle + 90) % 180 - 90), 1.0)
 
 
-def other_reader(run):
+def plane():
+    """3-D: a round cut that strikes at 40 degrees and dips by 35."""
+    strike, dip = np.radians(40), np.radians(35)
+    normal = np.sin(dip) * np.array([-np.sin(strike), np.cos(strike), 0]) + [0, 0, np.cos(dip)]
+    cloud = lattice("sc", (16,) * 3, 0.02, centre=True)
+    shape = "disc 0 0 0 " + " ".join(f"{v:.9g}" for v in normal) + " 0.1"
+    number = cut_events(cloud, shape)
+    tool("cracks.py", "line.txt", "--bins", 180, "--out", "plane")
+    count, mean = axes("plane.rose.csv")
+    report.true("plane: events", count == number > 50, f"all {number}")
+    report.below("plane: strike off by", abs(np.degrees(np.arctan2(*mean[::-1])) / 2 - 40), 2.0)
+    tilt = table("plane.dip.csv")
+    report.above("plane: share of the events that dip by 30 to 40 degrees",
+                 tilt["events"][tilt["from_degrees"] == 30][0] / number, 0.8)
+
+
+def other_reader():
     """ASE's reader and ours, and what goes to ParaView."""
     from ase.io import read
     frames = read(folder / "dump.disc", index=":", format="lammps-dump-text", order=True)
@@ -141,7 +174,8 @@ def other_reader(run):
         same["positions"] &= np.array_equal(theirs.get_positions()[:, :2], frame("x y"))
         same["types"] &= np.array_equal(theirs.get_atomic_numbers(), frame["type"])
         for k in range(1, len(FIELDS) + 1):
-            same["fields"] &= np.array_equal(theirs.arrays[f"c_field[{k}]"].ravel(), frame[f"c_field[{k}]"])
+            same["fields"] &= np.array_equal(theirs.arrays[f"c_field[{k}]"].ravel(),
+                                             frame[f"c_field[{k}]"])
     for what, equal in same.items():
         report.true(f"{what} of ASE and of our reader", equal, "equal in all frames")
     vtk(frames)
@@ -152,12 +186,15 @@ def decoded(element):
     kind = {"Float64": "<f8", "Int64": "<i8", "UInt8": "u1"}[element.get("type")]
     size = int(np.frombuffer(data, "<u8", 1)[0])
     assert size == len(data) - 8
-    return np.frombuffer(data, kind, offset=8).reshape(-1, int(element.get("NumberOfComponents", 1))).squeeze()
+    return np.frombuffer(data, kind, offset=8).reshape(-1,
+                                                       int(element.get("NumberOfComponents",
+                                                                       1))).squeeze()
 
 
 def vtk(frames):
     tool("to_vtk.py", "dump.disc", "--bonds", "dump.bonds", "--names", *FIELDS)
-    listed = [(int(s.get("timestep")), s.get("file")) for s in xml.parse(folder / "dump.disc.pvd").iter("DataSet")]
+    listed = [(int(s.get("timestep")),
+               s.get("file")) for s in xml.parse(folder / "dump.disc.pvd").iter("DataSet")]
     report.true("frames in the series", len(listed) == len(frames), f"{len(frames)}")
     good = True
     for (_, name), frame in zip(listed, frames):
@@ -166,7 +203,8 @@ def vtk(frames):
         good &= np.array_equal(arrays["Points"][:, :2], frame.get_positions()[:, :2])
         good &= np.array_equal(arrays["type"], frame.get_atomic_numbers())
         shift = [frame.arrays[f"c_field[{k}]"].ravel() for k in (1, 2)]
-        good &= np.array_equal(arrays["displacement"].T[:2], shift) and not arrays["displacement"][:, 2].any()
+        good &= np.array_equal(arrays["displacement"].T[:2],
+                               shift) and not arrays["displacement"][:, 2].any()
         for k, field in enumerate(FIELDS[2:], 3):
             good &= np.array_equal(arrays[field], frame.arrays[f"c_field[{k}]"].ravel())
         good &= np.array_equal(arrays["connectivity"], np.arange(len(frame)))
@@ -175,38 +213,46 @@ def vtk(frames):
     arrays = {a.get("Name"): decoded(a) for a in root.iter("DataArray")}
     rows = read_dump(folder / "dump.bonds")[-1]
     report.true("lines are the bonds", np.array_equal(arrays["connectivity"].reshape(-1, 2) + 1,
-                                                      rows("c_bond[1] c_bond[2]")), f"{len(rows['index'])}")
+                                                      rows("c_bond[1] c_bond[2]")),
+                f"{len(rows['index'])}")
     report.true("broken ones among them", np.count_nonzero(arrays["state"] == 1)
                 == np.count_nonzero(rows["c_bond[3]"] == 1) > 0, "as in the dump")
 
 
 def wrong_files():
-    (folder / "short.txt").write_text("\n".join((folder / "events.txt").read_text().split("\n")[:20]))
+    lines = (folder / "events.txt").read_text().split("\n")
+    (folder / "short.txt").write_text("\n".join(lines[:20]))
     (folder / "words.txt").write_text("hello\n")
-    (folder / "empty.txt").write_text("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n0\nITEM: BOX BOUNDS ff ff pp\n"
-                                      "0 1\n0 1\n0 1\nITEM: ENTRIES index "
-                                      + " ".join(f"f_b[{k}]" for k in range(1, 14)) + "\n")
+    (folder / "empty.txt").write_text(events_file([]))
     for words, text in ((("dump.disc",), "dump of particles"), (("absent",), "cannot read absent"),
                         (("words.txt",), "not a text dump"), (("short.txt",), "breaks off"),
-                        (("dump.bonds",), "0 columns of a fix, not the 13"), (("empty.txt",), "nothing broke"),
+                        (("dump.bonds",), "0 columns of a fix, not the 13"),
+                        (("empty.txt",), "nothing broke"),
                         (("events.txt", "--curve", "dump.disc"), "fix ave/time"),
                         (("events.txt", "--log", "broken_bonds.txt"), "thermodynamic output"),
-                        (("events.txt", "--curve", "broken_bonds.txt", "--columns", "T", "A"), "--columns"),
-                        (("events.txt", "--thickness", "0"), "--thickness"), (("events.txt", "--bins", "0"), "--bins")):
+                        (("events.txt", "--curve", "broken_bonds.txt", "--columns", "T", "A"),
+                         "--columns"),
+                        (("events.txt", "--thickness", "0"), "--thickness"),
+                        (("events.txt", "--bins", "0"), "--bins")):
         said = tool("cracks.py", *words, fails=True)
-        report.true(f"cracks.py {' '.join(words)}", text in said and said.count("\n") == 1, said.strip())
-    for words, text in ((("events.txt",), "not a dump of particles"), (("dump.disc", "--names", "ux"), "11 columns"),
+        report.true(f"cracks.py {' '.join(words)}", text in said and said.count("\n") == 1,
+                    said.strip())
+    for words, text in ((("events.txt",), "not a dump of particles"),
+                        (("dump.disc", "--names", "ux"), "11 columns"),
                         (("dump.disc", "--bonds", "dump.disc"), "not of bonds"),
                         (("dump.disc", "--bonds", "events.txt"), "no columns of compute"),
                         (("short.txt",), "breaks off")):
         said = tool("to_vtk.py", *words, fails=True)
-        report.true(f"to_vtk.py {' '.join(words)}", text in said and said.count("\n") == 1, said.strip())
+        report.true(f"to_vtk.py {' '.join(words)}", text in said and said.count("\n") == 1,
+                    said.strip())
 
 
 try:
-    other_reader(counts())
+    counts()
+    other_reader()
     directions()
     line()
+    plane()
     wrong_files()
 finally:
     shutil.rmtree(folder)
