@@ -38,6 +38,7 @@ def disc(swap, dumps=True):
     """Runs the example; its files are left in the folder, under examples/disc."""
     scene = Script(f"variable dx index {SPACING}\nvariable swap index {swap}\n"
                    f"variable dump index {2500 if dumps else 0}\n"
+                   f"variable rate index {0.02 if dumps else 0.04}\n"
                    f"variable bonds index {'yes' if dumps else 'no'}\nlog log.disc\n"
                    "shell cd examples/disc\ninclude in.disc\nshell cd ../..\nlog none",
                    {name: (ROOT / name).read_text() for name in EXAMPLE})
