@@ -1,7 +1,8 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """The documentation agrees with the code: every style has a page with its sections,
-every keyword that a style reads is on its page, links lead somewhere, and what
-can be run is run: the input of the Howto and the usage in the material sets."""
+every keyword that a style reads is on its page, links lead somewhere, inputs, tools, tests and
+styles that pages name exist, and what can be run is run: the inputs of the Howto and of the
+tutorial, and the usage in the material sets."""
 
 import os
 import re
@@ -120,19 +121,52 @@ def check_map_of_files():
                            f"{sorted(listed ^ there)}")
 
 
-def check_links():
-    text = (ROOT / "README.md").read_text()
-    anchors = {re.sub(r"[^\w -]", "", head).strip().lower().replace(" ", "-")
-               for head in re.findall(r"^#+ (.*)", text, re.M)}
+def anchors(path):
+    """The names by which sections of a Markdown page can be linked to."""
+    return {re.sub(r"[^\w -]", "", head).strip().lower().replace(" ", "-")
+            for head in re.findall(r"^#+ (.*)", path.read_text(), re.M)}
+
+
+def check_markdown(path):
+    """Links lead somewhere, and what is named can be run: inputs, tools, tests, styles."""
+    text, name = path.read_text(), path.relative_to(ROOT)
     for target in re.findall(r"\]\(([^)\s]+)\)", text):
-        if target.startswith("#"):
-            check(target[1:] in anchors, f"README.md has no section {target}")
-        elif target.startswith("doc/images/") and not (ROOT / "doc/images").exists():
+        file, _, section = target.partition("#")
+        there = path.parent / file if file else path
+        if "://" in target:
+            continue
+        if "images/" in file and not (path.parent / file).parent.exists():
             print(f"no pictures in this checkout: {target} not checked")
-        elif "://" not in target:
-            check((ROOT / target).exists(), f"README.md links to {target}, which does not exist")
-    for target in re.findall(r"tmsph run (\S+/\S+)", text):
-        check((ROOT / target).exists(), f"README.md runs {target}, which does not exist")
+        elif not there.exists():
+            check(False, f"{name} links to {target}, which does not exist")
+        elif section:
+            check(section in anchors(there), f"{name} links to {target}, no such section")
+    for target in re.findall(r"tmsph run ((?:examples|tools)/\S+[\w.])", text):
+        check((ROOT / target).exists(), f"{name} runs {target}, which does not exist")
+    for target in re.findall(r"(?<![\w/])(?:\.\./)*(tools/\w+\.py)", text):
+        check((ROOT / target).exists(), f"{name} names {target}, which does not exist")
+    for target in re.findall(r"(?<!\w)test_[a-z]\w+", text):
+        check((ROOT / f"unittest/verification/{target}.py").exists() or target == "test_physics"
+              or (ROOT / f"unittest/physics/{target}.cpp").exists(),
+              f"{name} names {target}, no such test")
+    known = {style for _, style, _ in styles()} | set(IN_THE_HOWTO[1].split())
+    for target in re.findall(r"(?<![\w/])tmsph/[a-z][a-z/]*[a-z]", text):
+        check(target in known, f"{name} names {target}, no such style")
+
+
+def check_tutorial():
+    """Its blocks one after the other, and with that of contact behind the rocks, coarsely."""
+    text = (ROOT / "doc/tutorial.md").read_text()
+    blocks = re.findall(r"^```lammps( contact)?\n(.*?)^```", text, re.M | re.S)
+    touching = "".join(block for contact, block in blocks if contact)
+    plain = [block for contact, block in blocks if not contact]
+    check(len(plain) == 4 and touching, "doc/tutorial.md has other blocks than this test knows")
+    for what, parts in (("bonded", plain), ("in contact", plain[:2] + [touching] + plain[2:])):
+        out = run("variable dx index 1e-3\n" + "\n".join(parts),
+                  f"input of doc/tutorial.md, {what}")
+        broken = re.findall(r"^ +10000 +260 +(\d+)", out, re.M)
+        check(broken and int(broken[0]) > 50,
+              f"the disc of doc/tutorial.md, {what}, does not crack")
 
 
 def run(text, what):
@@ -198,8 +232,11 @@ for page in sorted(PAGES.glob("*.rst")):
     check_page(page)
 check_styles()
 check_map_of_files()
-check_links()
+for page in [ROOT / "README.md", ROOT / "examples/README.md", *sorted((ROOT / "doc").glob("*.md")),
+             *sorted((ROOT / "doc/report").glob("*.md"))]:
+    check_markdown(page)
 if LMP:
+    check_tutorial()
     check_howto()
     check_materials()
 else:
