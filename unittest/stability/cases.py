@@ -40,7 +40,8 @@ COLUMNS = "x y z vx vy vz fx fy fz c_watch[*]"
 
 @dataclass
 class Found:
-    """What a case found out: the limit, what happens beyond it, and whether its criterion is met."""
+    """What a case found out: the limit, what happens beyond it, and whether its criterion is
+    met."""
     limit: str
     beyond: str
     met: bool
@@ -118,12 +119,13 @@ class Bench:
     def __init__(self):
         self.runs = []
 
-    def run(self, scene, value, commands="run 0", every=100, timeout=60, ranks=1):
-        """Runs a scene, then the commands, with a dump of all fields each so many steps and
-        another one at the end. value: of what is varied, for the table of raw data."""
+    def run(self, scene, value, commands="run 0", every=100, timeout=60, ranks=1,
+            group="all"):
+        """Runs a scene, then the commands, with a dump of all fields of a group each so many steps
+        and another one at the end. value: of what is varied, for the table of raw data."""
         script = Script("\n".join(scene.lines), scene.files)
-        script.add(f"compute watch all tmsph/property/atom {FIELDS}").dump("watch", COLUMNS, every)
-        script.add(commands).snapshot("final", COLUMNS)
+        script.add(f"compute watch all tmsph/property/atom {FIELDS}")
+        script.dump("watch", COLUMNS, every, group).add(commands).snapshot("final", COLUMNS, group)
         run = script.run(ranks, may_fail=True, timeout=timeout)
         self.runs.append(Ended(value, run, *classify(run)))
         return self.runs[-1]
@@ -154,11 +156,16 @@ def finite(run):
 
 # ---- what cases share ----
 
+def marching(dt, steps):
+    """So many time steps of fix nve."""
+    return f"fix 1 all nve\ntimestep {dt:.17g}\nrun {steps}"
+
+
 def unchecked_step(dt, spacing):
     """Runs with the time step dt even where the package would refuse it: fix dt/reset sets it
     after the first step."""
     return (f"timestep {1e-3 * dt:.17g}\n"
-            f"fix unchecked all dt/reset 1 {dt:.17g} {dt * (1 + 1e-12):.17g} {spacing:.17g}")
+            f"fix unchecked all dt/reset 1 {dt:.17g} {dt * (1 + 1e-12):.17g} {spacing:.17g}\n")
 
 
 def largest(holds, low, high, precision=0.01):
@@ -170,15 +177,14 @@ def largest(holds, low, high, precision=0.01):
     return low
 
 
-def until(holds, values):
-    """The last of the values, in order, up to which all hold; and the first that does not, or
-    None each."""
+def last_of(holds):
+    """The last key, in order, up to which all values are true; None if the first is not."""
     last = None
-    for value in values:
-        if not holds(value):
-            return last, value
+    for value, true in holds.items():
+        if not true:
+            break
         last = value
-    return last, None
+    return last
 
 
 # ---- tests ----
@@ -198,7 +204,8 @@ def tested(module):
 
 # ---- the whole suite ----
 
-SUBJECTS = ["mechanics", "fracture", "contact", "heat", "geometry", "units"]
+SUBJECTS = ["mechanics", "discretization", "timestep", "dynamics", "fracture", "contact", "heat",
+            "geometry", "units"]
 
 
 def suite():

@@ -139,14 +139,14 @@ class Script:
         self.lines.append(text)
         return self
 
-    def dump(self, name, columns, every=1):
-        self.add(f"dump {name} all custom {every} {name}.dump id {columns}\n"
+    def dump(self, name, columns, every=1, group="all"):
+        self.add(f"dump {name} {group} custom {every} {name}.dump id {columns}\n"
                  f"dump_modify {name} sort id format float %.17g")
         return self
 
-    def snapshot(self, name, columns):
+    def snapshot(self, name, columns, group="all"):
         """One dump now: forces and stresses are those of the last run."""
-        return self.add(f"write_dump all custom {name}.dump id {columns} "
+        return self.add(f"write_dump {group} custom {name}.dump id {columns} "
                         "modify sort id format float %.17g")
 
     def run(self, ranks=1, may_fail=False, keep="", timeout=None):
