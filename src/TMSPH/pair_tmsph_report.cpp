@@ -58,6 +58,9 @@ void PairTMSPH::check_timestep()
                    "The time step {} may become unstable as bonds break: with fracture keep it "
                    "below {:.2g}",
                    update->dt, FRACTURE_MARGIN * intact_dt);
+  if (break_test && !on.viscosity && comm->me == 0)
+    error->warning(FLERR, "Bonds that break without artificial viscosity can feed energy: add "
+                          "'viscosity 1 2' to pair_style tmsph");
 }
 
 /* ---------------------------------------------------------------------- */
