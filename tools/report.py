@@ -118,6 +118,8 @@ def main():
                 suite() if "stability" in wanted else [], lmp)
     for study, rows in measured(everything):
         accuracy.picture(study, rows, IMAGES)
+    if (DATA / "stability_runs.csv").exists():
+        stability.picture(IMAGES / "stability.png", stability.read(DATA / "stability_runs.csv"))
     for _ in range(2):    # the index names the pages that are there
         for name, text in pages(groups).items():
             (REPORT / name).write_text(text)

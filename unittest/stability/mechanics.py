@@ -178,7 +178,7 @@ def free_sides(bench):
 
 @case("rigid rotation",
       "turned by 90, 180 and 137 degrees about skew axes and moved by 0 to 1e9 spacings",
-      "no stress but round-off: below 10 times 2^-53 |u|/spacing, in units of E", level="test")
+      "no stress but round-off: below 10 times 2^-53 u/spacing, in units of E", level="test")
 def rigid(bench):
     worst, last = 0.0, 0.0
     for what, cloud in blocks(small=True).items():
@@ -200,7 +200,7 @@ def rigid(bench):
                 shift = np.abs(X - cloud.X).max() / SPACING
                 run.measured(stress)
                 worst = max(worst, stress / (shift * 2.0**-53))
-    return Found(f"all; largest stress {worst:.1f} times 2^-53 |u|/spacing E: 1e-7 E at 1e9 "
+    return Found(f"all; largest stress {worst:.1f} times 2^-53 u/spacing E: 1e-7 E at 1e9 "
                  "spacings",
                  "bounded: round-off of the displacement", worst < 10)
 
@@ -270,10 +270,10 @@ def jump(bench):
         for mode in ("bond", "strain"):
             found = {}
             for degrees in (1.0, 100.0, 1000.0, 1e4, 1e5):
-                expected = lame * degrees
+                expected, patience = lame * degrees, 1000 if degrees < 5000 else 200
                 run = equilibrium(bench, f"{dimension}-D, {mode}, {degrees:g}", cloud, pair,
                                   cloud.X, np.zeros(len(cloud), bool), expected,
-                                  f"thermal {mode}", residual=1e-5, iterations=700,
+                                  f"thermal {mode}", residual=1e-5, iterations=patience,
                                   temperature=degrees)
                 if run.ok:
                     s = stresses(run.run.frame("final"), dimension)[core].mean(axis=0)
