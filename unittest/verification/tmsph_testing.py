@@ -213,7 +213,9 @@ class Run:
                 (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
             (folder / "in.test").write_text("\n".join(scene.lines) + "\n")
             command = [os.environ["TMSPH_LMP"], "-in", "in.test", "-log", "none", "-nocite"]
-            environment = dict(os.environ, OMP_NUM_THREADS="1")
+            # a folder each: Open MPI's runs that start and end at once take a shared one away
+            # from each other
+            environment = dict(os.environ, OMP_NUM_THREADS="1", TMPDIR=str(folder))
             if ranks > 1:
                 launcher = os.environ.get("TMSPH_MPIRUN")
                 if not launcher:
