@@ -68,7 +68,13 @@ class Case:
     def run(self):
         """A record of the case: what was found, its runs, how they ended."""
         bench, start = Bench(), time.monotonic()
-        found = self.function(bench)
+        try:
+            found = self.function(bench)
+        except (KeyError, IndexError):    # output that a case counted on is not there
+            last = bench.runs[-1]
+            if last.ok:
+                raise
+            found = Found(f"{last.value}: {last.end}, {last.message}", "", False)
         ends = [run.end for run in bench.runs]
         return {"subject": self.subject, "case": self.name, "varied": self.varied,
                 "criterion": self.criterion, "limit": found.limit, "beyond": found.beyond,
