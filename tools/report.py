@@ -21,9 +21,11 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "unittest" / "verification")]
+sys.path[:0] = [str(ROOT / "tools")] + [str(ROOT / "unittest" / folder)
+                                       for folder in ("verification", "stability")]
 
-from reporting import accuracy, costs, index, peers
+from cases import suite
+from reporting import accuracy, costs, index, peers, stability
 from reporting.measure import Progress, Store
 from reporting.studies import studies
 
@@ -44,11 +46,13 @@ def options():
     return parser.parse_args()
 
 
-def measure(option, chosen, counts, lmp):
-    """Takes the measurements and writes the tables of those that were chosen."""
+def measure(option, chosen, counts, extremes, lmp):
+    """Takes the measurements and writes the tables of those that were chosen; extremes are the
+    cases of the stability suite."""
     store = Store(option.results, lmp)
     total = sum(len(list(accuracy.cases(study, option.full))) for study in chosen)
-    progress = Progress(total + costs.number_of_tasks(counts, option.full))
+    progress = Progress(total + costs.number_of_tasks(counts, option.full)
+                        + len(stability.chosen(extremes, option.full)))
     for study in chosen:
         rows = accuracy.measure(study, store, option.full, progress)
         accuracy.write_table(DATA / f"{study.name}.csv", rows)
@@ -59,6 +63,8 @@ def measure(option, chosen, counts, lmp):
         elif (DATA / "costs.csv").exists():
             costs.keep_instructions(rows, costs.read_table(DATA / "costs.csv"))
         costs.write_table(DATA / "costs.csv", rows)
+    if extremes:
+        stability.measure(store, extremes, option.full, progress, DATA)
 
 
 def measured(group):
@@ -76,6 +82,8 @@ def pages(groups):
             texts[name] = page(pairs)
     if (DATA / "costs.csv").exists():
         texts["costs.md"] = costs.page(costs.read_table(DATA / "costs.csv"))
+    if (DATA / "stability.csv").exists():
+        texts["stability.md"] = stability.page(stability.read(DATA / "stability.csv"))
     texts["README.md"] = index.page(REPORT)
     return texts
 
@@ -88,7 +96,7 @@ def main():
     option = options()
     groups = all_groups()
     everything = [study for _, group in groups.values() for study in group]
-    names = [study.name for study in everything] + ["costs", "instructions"]
+    names = [study.name for study in everything] + ["costs", "instructions", "stability"]
     if option.list:
         print("\n".join(names))
         return
@@ -106,9 +114,12 @@ def main():
         counts = {"costs", "instructions"} & set(wanted)
         if not option.only and not (option.full and costs.can_count()):
             counts.discard("instructions")    # they need another build
-        measure(option, [study for study in everything if study.name in wanted], counts, lmp)
+        measure(option, [study for study in everything if study.name in wanted], counts,
+                suite() if "stability" in wanted else [], lmp)
     for study, rows in measured(everything):
         accuracy.picture(study, rows, IMAGES)
+    if (DATA / "stability_runs.csv").exists():
+        stability.picture(IMAGES / "stability.png", stability.read(DATA / "stability_runs.csv"))
     for _ in range(2):    # the index names the pages that are there
         for name, text in pages(groups).items():
             (REPORT / name).write_text(text)

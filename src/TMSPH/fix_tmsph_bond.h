@@ -122,6 +122,8 @@ class FixTMSPHBond : public Fix {
   double interior_kappa() const { return kappa; }
   /// edge of the cell of a local or ghost particle, in 2-D in the plane
   double spacing(int i) const;
+  /// that the volumes imply in 2-D, else 1; w_ij sums up in proportion to it
+  double body_thickness() const { return thickness; }
 
  private:
   TMSPHBondUser *user;
@@ -141,7 +143,7 @@ class FixTMSPHBond : public Fix {
   double horizon;               // with which the bonds formed, the largest
   std::vector<double> type_horizons;    // and that of each type
   double kappa;
-  double thickness;             // that the volumes imply in 2-D, else 1
+  double thickness;
   double period[3];             // reference box lengths in periodic directions, else 0
   bigint natoms_at_setup;
   int version, nremoved;

@@ -33,7 +33,7 @@ static constexpr double EPS_ENERGY = 1.0e-8;  // as in LAMMPS's minimizers
 /* ---------------------------------------------------------------------- */
 
 MinTMSPHLBFGS::MinTMSPHLBFGS(LAMMPS *lmp) :
-    Min(lmp), lbfgs(8), preconditioner(lmp), longest(0.0), with_energy(true), total_evaluations(0)
+    Min(lmp), lbfgs(8), preconditioner(lmp), pair(nullptr), longest(0.0), with_energy(true), total_evaluations(0)
 {
   searchflag = 1;
   dmax = 0.0;    // not given: a fraction of the spacing
@@ -61,17 +61,22 @@ void MinTMSPHLBFGS::init()
   if (dmax < 0.0)
     error->all(FLERR, "Min_modify dmax {} must be positive", dmax);
   longest = dmax;
-  if (longest == 0.0) {
-    double smallest = HUGE_VAL, all = 0.1;    // LAMMPS's own default
-    if (atom->vfrac_flag) {
-      for (int i = 0; i < atom->nlocal; i++) smallest = std::min(smallest, atom->vfrac[i]);
-      MPI_Allreduce(&smallest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
-      all = DMAX * std::pow(all, 1.0 / domain->dimension);
-    }
-    longest = all;
-  }
-  preconditioner.init(dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0)));
+  pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
+  preconditioner.init(pair);
   forget();
+}
+
+/* ----------------------------------------------------------------------
+   a fraction of the smallest spacing, which is known when the bonds have formed
+------------------------------------------------------------------------- */
+
+double MinTMSPHLBFGS::usual_longest() const
+{
+  if (!pair) return 0.1;    // LAMMPS's own default
+  double smallest = HUGE_VAL, all;
+  for (int i = 0; i < atom->nlocal; i++) smallest = std::min(smallest, pair->bonds()->spacing(i));
+  MPI_Allreduce(&smallest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+  return DMAX * all;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -223,6 +228,7 @@ int MinTMSPHLBFGS::step()
   std::copy_n(xvec, nvec, fix_vector(START));
   std::copy_n(fvec, nvec, fix_vector(FORMER));
   fix_minimize->store_box();
+  if (longest == 0.0) longest = usual_longest();
   const double most = longest / farthest;
   const bool learning = lbfgs.known() == 0;
   double length = learning ? FIRST * most : std::min(1.0, most);

@@ -51,10 +51,12 @@ class MinTMSPHLBFGS : public Min {
   enum { START, DIRECTION, FORMER, SCALED, EXTRA, HISTORY = EXTRA + 2 };
   TMSPH::LBFGS lbfgs;
   TMSPHPreconditioner preconditioner;
-  double longest;               // no particle moves farther in an iteration
+  class PairTMSPH *pair;
+  double longest;               // no particle moves farther in an iteration, 0: not yet known
   bool with_energy;
   bigint total_evaluations;
 
+  double usual_longest() const;
   double *fix_vector(int);
   double dot(const TMSPH::LBFGS::Vector &, const TMSPH::LBFGS::Vector &);
   double largest(const double *);

@@ -185,7 +185,7 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   own[WIDTH * entry++] = atom->vfrac[i];
   own[WIDTH * entry++] = averaged(atom->type[i]) ? 0.0 : m.lambda;    // see find_pressures()
   own[WIDTH * entry++] = m.shear;
-  own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young;
+  own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young / bond_fix->body_thickness();
 }
 
 /* ----------------------------------------------------------------------

@@ -86,12 +86,12 @@ template <int D> void PairTMSPH::update_crossing(Crossing &one)
     if (same) own += mass;
     if (same || coupled(type, atom->type[j])) all += mass;
   }
-  one.depth = std::max(interface_depth(own / all), LEAST_DEPTH * std::pow(volume, 1.0 / D));
+  one.depth = std::max(interface_depth(own / all), LEAST_DEPTH * bond_fix->spacing(i));
   for (auto &bond : one.bonds)
     bond.stiffness = bond_fix->bond_state(i, bond.k) != FixTMSPHBond::INTACT
         ? 0.0
         : coupling_stiffness(materials[type].young, materials[atom->type[bond.j]].young) *
-            (double) bond_fix->weight(i, bond.j);
+            (double) bond_fix->weight(i, bond.j) / bond_fix->body_thickness();
 }
 
 /* ----------------------------------------------------------------------

@@ -329,6 +329,12 @@ void PairTMSPH::complete_particles()
                  "Particle {} has mass {:.8g}, but density {:.8g} times volume {:.8g} is {:.8g}: "
                  "correct one of them, or leave the mass out",
                  atom->tag[i], atom->rmass[i], m.density, volume, mass);
+    const double *v = atom->v[i];
+    if (!std::isfinite(v[0] + v[1] + v[2]))
+      error->one(FLERR,
+                 "Particle {} has a velocity that is not a number: before the first run it has no "
+                 "mass yet, so give 'run 0' before 'velocity ... create'",
+                 atom->tag[i]);
   }
 }
 

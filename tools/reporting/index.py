@@ -5,6 +5,7 @@ PAGES = {
     "accuracy.md": "Error against run time of scenes with exact solutions, for every option",
     "peers.md": "The same against smd/tlsph, peri and bpm/spring on elastic scenes",
     "costs.md": "What each feature costs: time, memory, communication, instructions",
+    "stability.md": "Stiff and extreme cases, run up to failure: limits, and what happens beyond them",
     "speed.md": "Speed and memory per particle and step against the same methods",
     "contact.md": "Contact with friction: forces, bars, the disc with friction",
 }
@@ -30,7 +31,7 @@ def page(folder):
     lines = [f"| [{name[:-3]}]({name}) | {text} |" for name, text in there.items()]
     lines += [f"| [{name[:-3]}]({name}) | {title(folder / name)} |" for name in others]
     return TEXT.format(pages="\n".join(["| page | |", "| --- | --- |"] + lines),
-                       made="`accuracy.md`, `peers.md` and `costs.md`")
+                       made="`accuracy.md`, `peers.md`, `costs.md` and `stability.md`")
 
 
 def title(path):

@@ -126,6 +126,7 @@ CASES = [
                      "lattice custom 1e-3 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0\ncreate_box 2 box"),
      "triclinic"),
     (PLATE, dict(volume=""), "volume 0|set group all volume"),
+    (PLATE, dict(more="velocity all create 300 4711"), "velocity|run 0"),
     (PLATE, dict(volume="set group all volume -1"), "volume"),
     (PLATE, dict(more="set atom 7 mass 1"), "Particle 7|mass 1|density 2700|0.0027:|leave the mass out"),
     (PLATE, dict(more="create_atoms 1 single 2e-3 2e-3 0 units box\nset group all volume 1e-6"),

@@ -139,19 +139,20 @@ class Script:
         self.lines.append(text)
         return self
 
-    def dump(self, name, columns, every=1):
-        self.add(f"dump {name} all custom {every} {name}.dump id {columns}\n"
+    def dump(self, name, columns, every=1, group="all"):
+        self.add(f"dump {name} {group} custom {every} {name}.dump id {columns}\n"
                  f"dump_modify {name} sort id format float %.17g")
         return self
 
-    def snapshot(self, name, columns):
+    def snapshot(self, name, columns, group="all"):
         """One dump now: forces and stresses are those of the last run."""
-        return self.add(f"write_dump all custom {name}.dump id {columns} "
+        return self.add(f"write_dump {group} custom {name}.dump id {columns} "
                         "modify sort id format float %.17g")
 
-    def run(self, ranks=1, may_fail=False, keep=""):
-        """keep: a pattern of files to hold on to, for a script that continues."""
-        return Run(self, ranks, may_fail, keep)
+    def run(self, ranks=1, may_fail=False, keep="", timeout=None):
+        """keep: a pattern of files to hold on to, for a script that continues. timeout: seconds
+        after which lmp is killed."""
+        return Run(self, ranks, may_fail, keep, timeout)
 
 
 class Scene(Script):
@@ -202,9 +203,9 @@ class Scene(Script):
 class Run:
     """One run of lmp: its thermodynamic output, its dumps (*.dump of particles, *.local of
     rows), the files to keep and its cost. What it said is log; status is negative after a
-    signal."""
+    signal, None if it took too long."""
 
-    def __init__(self, scene, ranks, may_fail, keep=""):
+    def __init__(self, scene, ranks, may_fail, keep="", timeout=None):
         folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
         try:
             for name, text in scene.files.items():
@@ -212,7 +213,9 @@ class Run:
                 (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
             (folder / "in.test").write_text("\n".join(scene.lines) + "\n")
             command = [os.environ["TMSPH_LMP"], "-in", "in.test", "-log", "none", "-nocite"]
-            environment = dict(os.environ, OMP_NUM_THREADS="1")
+            # a folder each: Open MPI's runs that start and end at once take a shared one away
+            # from each other
+            environment = dict(os.environ, OMP_NUM_THREADS="1", TMPDIR=str(folder))
             if ranks > 1:
                 launcher = os.environ.get("TMSPH_MPIRUN")
                 if not launcher:
@@ -224,10 +227,14 @@ class Run:
                                    OMPI_MCA_mpi_yield_when_idle="1")
             else:
                 environment.update(ALONE)
-            done = subprocess.run(command, cwd=folder, env=environment, text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            self.log, self.status = done.stdout, done.returncode
-            self.failed = done.returncode != 0
+            try:
+                done = subprocess.run(command, cwd=folder, env=environment, timeout=timeout,
+                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                output, self.status = done.stdout, done.returncode
+            except subprocess.TimeoutExpired as late:
+                output, self.status = late.stdout or b"", None
+            self.log = output.decode(errors="replace")
+            self.failed = self.status != 0
             self.cost = Cost(self.log, ranks)
             if self.failed and not may_fail:
                 raise RuntimeError("lmp stopped:\n" + self.log[-3000:])
@@ -299,7 +306,8 @@ class Frame(dict):
 
 
 def read_dump(path):
-    """The snapshots of a text dump, of particles sorted by id or of rows as they stand."""
+    """The snapshots of a text dump, of particles sorted by id or of rows as they stand. One cut
+    short by an error is left out."""
     frames = []
     with open(path) as file:
         while line := file.readline():
@@ -309,8 +317,10 @@ def read_dump(path):
                 n = int(file.readline())
             elif line.startswith(("ITEM: ATOMS", "ITEM: ENTRIES")):
                 names = line.split()[2:]
-                rows = np.array([file.readline().split() for _ in range(n)], float)
-                rows = rows.reshape(-1, len(names))
+                words = [file.readline().split() for _ in range(n)]
+                if any(len(row) != len(names) for row in words):
+                    break
+                rows = np.array(words, float).reshape(-1, len(names))
                 if "id" in names:
                     rows = rows[rows[:, names.index("id")].argsort()]
                 frame = Frame(zip(names, rows.T))

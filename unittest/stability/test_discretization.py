@@ -1,0 +1,8 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""The short cases of the stability suite on clouds and options. All of them:
+./tmsph report --only stability."""
+
+import discretization
+from cases import tested
+
+tested(discretization)
