@@ -275,6 +275,7 @@ def conducting():
     if find_spec("heat_scenes") is None:    # a package without fix tmsph/heat
         return
     from scenes.conduction import ConductingDisc, ConductingSlab
+    from scenes.cylinder import HollowCylinder
     text = {"Dirichlet": "A slab, cold at first, both ends suddenly at 1",
             "Neumann": "A slab, insulated on one side, takes unit flux on the other",
             "Robin": "A warm slab, insulated on one side, cools by convection on the other, Biot "
@@ -298,6 +299,15 @@ def conducting():
                 {DEFAULT: {"name": "sc"},
                  "subcycle explicit": {"name": "sc", "words": "subcycle explicit"}}, numbers(80),
                 dimension=3)
+    yield Study("cylinder", "Hollow cylinder, hot inside",
+                "Radii 1 and 0.5, hot inside and cold outside, plane strain: conduction to the steady "
+                "state in 40 steps of RKL2, then equilibrium by minimize. Root mean square error of the radial "
+                "and hoop stress further from the surfaces than 15 % of the wall, over the largest hoop "
+                "stress, against the closed form. Run time is that of minimize.",
+                HollowCylinder, lambda body: body.typical, "L2 error of the stress", {},
+                numbers(8, 12, 20, 30), "particles across the wall",
+                {DEFAULT: {}, **KERNELS, "square lattice": {"name": "square"}, **RANKS},
+                numbers(40))
     rims = {"Dirichlet": "is suddenly at 1", "Robin": "takes heat by convection, Biot number 2"}
     for case in rims:
         yield Study(f"conduction_{case.lower()}", f"Conducting disc, {case}",
