@@ -20,7 +20,7 @@ from .measure import ROOT, digest, middle
 INPUT = Path(speed.INPUTS) / "in.tmsph"
 BARE = {"options": "hourglass 0", "expansion": "0"}
 OFF = {"options": "hourglass 0 viscosity 0 0 thermal bond law svk kernel wendland", "expansion": "0",
-       "break": "no", "contact": "no"}
+       "break": "no", "contact": "no", "heat": "no"}
 
 # feature: variables of the input besides those of the bare body
 FEATURES = {
@@ -31,10 +31,12 @@ FEATURES = {
     "hourglass": {"options": "hourglass 0.1"},
     "thermal bonds": {"expansion": "1.0e-5"},
     "two materials": {"materials": 2},
+    "heat, explicit": {"heat": "yes"},
+    "heat, RKL2 over ten stable steps": {"heat": "yes", "heatwords": "subcycle rkl2 time/scale 200"},
     "break test": {"break": "yes"},
     "contact": {"contact": "yes"},
     "all": {"options": "hourglass 0.1 viscosity 0.06 0.12", "expansion": "1.0e-5", "materials": 2,
-            "break": "yes", "contact": "yes"},
+            "break": "yes", "contact": "yes", "heat": "yes"},
 }
 BODIES = {"disc": (2, 50, 300), "block": (3, 10, 60)}    # dimension, half width, steps
 SMALL = {"disc": (2, 14, 20), "block": (3, 4, 10)}       # the same for counts of instructions
