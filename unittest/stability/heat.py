@@ -13,6 +13,16 @@ def bars():
     return {"2-D": lattice("square", (20, 8), SPACING), "3-D": lattice("sc", (12, 5, 5), SPACING)}
 
 
+def layers():
+    """Two layers across x, without sides, their types, and the plane between them."""
+    for what, cloud in {"2-D": lattice("square", (12, 7), SPACING, "y"),
+                        "3-D": lattice("sc", (10, 7, 7), SPACING, "yz")}.items():
+        x = cloud.X[:, 0]
+        middle = (x.min() + x.max()) / 2
+        cloud.type = np.where(x < middle, 1, 2)
+        yield what, cloud, x, middle
+
+
 def conducting(cloud, words="", materials=(ROCK,), start=0.0, conductivity="conductivity * 2.9",
                capacity="specific/heat * 850"):
     """A scene with conduction; what is observed are the extremes of the temperature."""
@@ -89,7 +99,7 @@ def explicit(bench):
 
 @case("long heat steps",
       "RKL2 over 0.1 to 1e8 stable steps at once, the same bodies; insulated, and one surface at 1",
-      f"{RANGE}; heat kept to 1e-10", level="test")
+      f"{RANGE}; heat kept to 1e-10")
 def long_steps(bench):
     good, texts = True, []
     for what, cloud in bars().items():
@@ -129,22 +139,18 @@ def time_scale(bench):
 @case("contrast of conductivities",
       "two layers between surfaces at 0 and 1, k1/k2 1 to 1e6; after 8 times the time of diffusion "
       "of the slower one",
-      "temperature of the slower one within 0.01 of that of layers in series; " + RANGE,
-      level="test")
+      "temperature of the slower one within 0.01 of that of layers in series; " + RANGE)
 def conductivities(bench):
     good, texts = True, []
-    for what, cloud in bars().items():
+    for what, cloud, x, middle in layers():
         found = {}
-        x = cloud.X[:, 0]
-        middle = (x.min() + x.max()) / 2
-        cloud.type = np.where(x < middle, 1, 2)
         half = middle - x.min() + SPACING / 2
-        for ratio in (1.0, 1e2, 1e4, 1e6):
-            scene = conducting(cloud, f"time/scale {1e9 * 8 * half**2 * RHO * CAPACITY:.6g}",
+        for ratio in (1.0, 1e3, 1e6):
+            scene = conducting(cloud, f"time/scale {1e9 * 0.2 * half**2 * RHO * CAPACITY:.6g}",
                                [ROCK, ROCK],
                                conductivity=f"conductivity 1 {ratio:g} conductivity 2 1")
             scene.add(ends_of(cloud, "temperature 0", "temperature 1"))
-            run = bench.run(scene, f"{what}, {ratio:g}", "timestep 1e-9\nrun 1", every=1,
+            run = bench.run(scene, f"{what}, {ratio:g}", "timestep 1e-9\nrun 40", every=20,
                             timeout=100)
             if run.ok:
                 good &= outside(run, 0, 1) < 1e-9
@@ -156,13 +162,14 @@ def conductivities(bench):
                     np.abs(frame["c_watch[7]"] - exact)[cloud.type == 2].mean())
             good &= run.ok and found[ratio] < 0.01
         texts.append(" / ".join(f"{e:.1g}" for e in found.values()) + f" ({what})")
-    return Found("error of the temperature at 1 / 1e2 / 1e4 / 1e6: " + ", ".join(texts),
+    return Found("error of the temperature at 1 / 1e3 / 1e6: " + ", ".join(texts),
                  "not reached", good)
 
 
 @case("contrast of heat capacities",
-      "two halves at 0 and 1, insulated, c1/c2 1 to 1e6; until 200 times the time to equalize",
-      f"equal temperature at the mean to 1e-6; {RANGE}; heat kept to 1e-10", level="test")
+      "two halves at 0 and 1, insulated, c1/c2 1 to 1e6; until 4 times the time of "
+      "diffusion, of up to 100 times the smaller one",
+      f"temperature of the mean to 1e-3; {RANGE}; heat kept to 1e-10", level="test")
 def capacities(bench):
     good, texts = True, []
     for what, cloud in bars().items():
@@ -171,18 +178,18 @@ def capacities(bench):
         holds = {}
         length = np.ptp(x) + SPACING
         for ratio in (1.0, 1e2, 1e4, 1e6):
-            time = 10 * length**2 * 2700 * 850 / K * min(ratio, 2.0)
+            time = 0.1 * length**2 * RHO * CAPACITY / K * min(ratio, 100.0)
             scene = conducting(cloud, f"time/scale {time / 1e-9:.6g}", [ROCK, ROCK],
                                start=(cloud.type == 2).astype(float),
                                capacity=f"specific/heat 1 {850 * ratio:g} specific/heat 2 850")
-            run = bench.run(scene, f"{what}, {ratio:g}", "timestep 1e-9\nrun 5", every=1)
+            run = bench.run(scene, f"{what}, {ratio:g}", "timestep 1e-9\nrun 40", every=10)
             holds[ratio] = run.ok
             if run.ok:
                 ones = (cloud.type == 1).mean()
                 mean = (1 - ones) / (1 - ones + ones * ratio)
                 T = run.run.frame("final")["c_watch[7]"]
                 holds[ratio] = (outside(run, 0, 1) < 1e-9 and kept(run) < 1e-10
-                                and run.measured(np.abs(T - mean).max()) < 1e-6)
+                                and run.measured(np.abs(T - mean).max()) < 1e-3)
             good &= holds[ratio]
         texts.append(f"{last_of(holds)} ({what})")
     return Found(", ".join(texts), "not reached", good)
@@ -242,7 +249,7 @@ def film(bench):
 
 @case("radiation",
       "a cold body and surroundings of 300 to 1e6 K, black; steps of 0.1 to 1e4 stable ones",
-      "at 3000 K: temperatures stay between both; beyond: bounded, or stopped", level="test")
+      "at 3000 K: temperatures stay between both; beyond: bounded, or stopped")
 def radiation(bench):
     good, texts = True, []
     for what, cloud in bars().items():
@@ -293,7 +300,7 @@ def broken(bench):
 @case("quasi-static with impossible tolerances",
       "residual 1e-4 to 1e-300, change down to 1e-300 and stride 1e-12, at most 50 evaluations an "
       "equilibrium; heating of a disc and a ball with breaking",
-      "ends, within a minute: all time steps are covered", level="test")
+      "ends, within a minute: all time steps are covered")
 def impossible(bench):
     good, texts = True, []
     for what, cloud in blocks(small=True).items():
