@@ -21,10 +21,10 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// A shape matrix whose smallest eigenvalue is a smaller part than this of those in the interior of the
-// intact body cannot tell strains apart. Bonds add positive semidefinite terms, so that this eigenvalue
-// only falls as they break: a particle that has lost its stress never gets it back in a state that it
-// reached without. Measured by its own largest eigenvalue it would, whenever a heavy bond goes.
+// A shape matrix whose smallest eigenvalue is a smaller part than this of those in the interior of
+// the intact body cannot tell strains apart. Bonds add positive semidefinite terms, so that this
+// eigenvalue only falls as they break: a particle that has lost its stress never gets it back in a
+// state that it reached without. By its own largest eigenvalue it would, when a heavy bond goes.
 
 static constexpr double SINGULAR = 0.02;
 

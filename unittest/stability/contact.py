@@ -100,9 +100,11 @@ def wall_stiffness(bench):
 
 
 @case("time step of a penalty",
-      "a single particle pressed on a wall, stiffness 2 % (w dt 1 %) below and above the limit, and 2 "
+      "a single particle pressed on a wall, stiffness 2 % (w dt 1 %) below and above "
+      "the limit, and 2 "
       "times; implicit 1e6 times",
-      "penalty: comes to rest 1 % below, and not 1 % above, w dt = 2 (sqrt(1 + z^2) - z) with damping z = 0.2 of "
+      "penalty: comes to rest 1 % below, and not 1 % above, w dt = 2 (sqrt(1 + z^2) - "
+      "z) with damping z = 0.2 of "
       "velocities half a step old; implicit: always", level="test")
 def penalty_step(bench):
     z, good, texts = 0.2, True, []

@@ -192,8 +192,10 @@ def long_after(bench):
                             timeout=120)
             good &= run.ok and highest(run) < 0.02
             if run.ok:
+                moving = run.run.thermo("KinEng")[-1] / run.run.thermo("TotEng", -1)[0]
                 texts.append(f"{run.run.thermo('f_rock')[-1] / bond_count(cloud):.0%} broken, "
-                             f"{run.run.thermo('KinEng')[-1] / run.run.thermo('TotEng', -1)[0]:.1g} "
+                             f"{moving:.1g} "
+                             f""
                              f"of the energy left as motion ({what}, modulus {modulus})")
     return Found("20 000 steps: " + "; ".join(texts), "not reached", good)
 
@@ -298,8 +300,8 @@ def comes_back(bench):
         scene = Scene(cloud, disc_materials(False), HEAVY)
         scene.add(f"run 0\nset group all temperature {degrees}\n"
                   + rock(120e6, "mi * 8 weibull * 10 4711")).add(touch)
-        run = bench.run(scene.thermo("step etotal", 1), f"{degrees:g}, {'contact' if touch else ''}",
-                        marching(DT, 700), every=350)
+        run = bench.run(scene.thermo("step etotal", 1), f"{degrees:g} {touch}", marching(DT, 700),
+                        every=350)
         rises.append(highest(run) if run.ok else np.inf)
         good &= rises[-1] < 0.02
     return Found(f"rise {', '.join(f'{rise:.2g}' for rise in rises)}", "not reached", good)

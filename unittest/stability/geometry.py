@@ -29,7 +29,8 @@ def plane_rows(n):
       "beside a block: lines of 2 to 8 particles, planes of 2 x 2 to 4 x 4 in 3-D, a line turned "
       "by 30 degrees, and one bent by 1e-6 to 0.3 spacings; random velocities of 0.01 of the wave "
       "speed",
-      "straight and flat ones carry no stress; the energy is kept to (dt/stable step)^2, 3 %", level="test")
+      "straight and flat ones carry no stress; the energy is kept to (dt/stable step)^2, 3 %",
+      level="test")
 def families(bench):
     good, texts = True, []
     turn = np.array([[0.75**0.5, -0.5, 0], [0.5, 0.75**0.5, 0], [0, 0, 1]])
@@ -181,7 +182,8 @@ def sheet(bench):
 
 
 @case("hole of one particle",
-      "a block with one particle missing in the middle, and with every third one missing, stretched "
+      "a block with one particle missing in the middle, and with every third one "
+      "missing, stretched "
       "and sheared by 0.01",
       "the homogeneous state is exact: stress to 1e-10, as without holes", level="test")
 def hole(bench):
@@ -208,7 +210,8 @@ def hole(bench):
 @case("duplicate particles",
       "two particles of a block 0 to 0.5 spacings apart, the block with velocities of 0.001 of the "
       "wave speed",
-      "at the same place: refused, with both; apart: with half the stable step the energy swings by "
+      "at the same place: refused, with both; apart: with half the stable step the "
+      "energy swings by "
       "at most (1/2)^2")
 def duplicates(bench):
     good, texts = True, []
@@ -239,7 +242,8 @@ def duplicates(bench):
 
 @case("periodic box of two horizons",
       "a periodic box of 2.5 to 0.8 times two horizons, 2-D and 3-D, on 1 and 2 processors",
-      "from two horizons on: runs, noise keeps its energy to (dt/stable step)^2, 3 %; below: refused")
+      "from two horizons on: runs, noise keeps its energy to (dt/stable step)^2, 3 %; "
+      "below: refused")
 def periodic(bench):
     good, texts = True, []
     for d in (2, 3):

@@ -125,9 +125,9 @@ CASES = [
     (PLATE, dict(box="region box prism 0 8e-3 0 8e-3 -5e-4 5e-4 1e-3 0 0 units box\n"
                      "lattice custom 1e-3 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0\ncreate_box 2 box"),
      "triclinic"),
-    (PLATE, dict(space=PLATE["space"].replace("si", "metal")), "units metal|use si, cgs"),
-    (PLATE, dict(space=PLATE["space"].replace("si", "real")), "units real|use si, cgs"),
-    (PLATE, dict(space=PLATE["space"].replace("si", "electron")), "units electron|use si, cgs"),
+    (PLATE, dict(space=PLATE["space"].replace("units si", "units metal")), "units metal|use si, cgs"),
+    (PLATE, dict(space=PLATE["space"].replace("units si", "units real")), "units real|use si, cgs"),
+    (PLATE, dict(space=PLATE["space"].replace("units si", "units electron")), "units electron|use si, cgs"),
     (PLATE, dict(volume=""), "volume 0|set group all volume"),
     (PLATE, dict(more="velocity all create 300 4711"), "velocity|run 0"),
     (PLATE, dict(volume="set group all volume -1"), "volume"),
