@@ -85,7 +85,8 @@ void FixTMSPHHoekBrown::parse(int narg, char **arg)
     if (word == "gsi" && (value <= 0.0 || value > 100.0))
       reject("it must be above 0 and at most 100 (intact rock)");
     if (word == "disturbance" && (value < 0.0 || value > 1.0)) reject("it must lie in 0 to 1");
-    if (weibull && value <= 0.0) reject("the Weibull modulus must be positive; 10 is usual");
+    // (-ln U)^(1/omega) and its square must be numbers for all U of double precision
+    if (weibull && value < 0.1) reject("the Weibull modulus must be at least 0.1; 10 is usual");
     int seed = 0;
     if (weibull) {
       seed = utils::inumeric(FLERR, arg[iarg + 3], false, lmp);

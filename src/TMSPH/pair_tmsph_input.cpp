@@ -15,6 +15,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -240,6 +241,12 @@ void PairTMSPH::init_style()
     error->all(FLERR, "Pair style tmsph needs 'atom_style tmsph', not '{}'", atom->get_style());
   if (domain->triclinic)
     error->all(FLERR, "Pair style tmsph needs an orthogonal box: the box is triclinic");
+  // forces are pressure times area, accelerations are force over mass: no factors between
+  if (force->nktv2p != 1.0 || force->ftm2v != 1.0)
+    error->all(FLERR,
+               "Pair style tmsph cannot use units {}, whose pressure is not a force over an area: "
+               "use si, cgs, micro, nano or lj",
+               update->unit_style);
   if (domain->dimension == 3 && plane == Plane::STRESS)
     error->all(FLERR, "Pair_style tmsph plane stress needs dimension 2: remove it in 3-D");
 

@@ -9,7 +9,9 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
+#include "fix_tmsph_bond.h"
 #include "modify.h"
 #include "update.h"
 
@@ -71,6 +73,12 @@ void PairTMSPH::report()
   const bigint intact = bond_fix->count_bonds(FixTMSPHBond::INTACT);
   const bigint broken = bond_fix->count_bonds(FixTMSPHBond::BROKEN);
   const bigint cut = bond_fix->count_bonds(FixTMSPHBond::CUT);
+  // intact, but on one line or in one plane
+  bigint flat = 0, all_flat;
+  for (int i = 0; i < atom->nlocal; i++)
+    flat += bond_fix->count_formed(i) >= domain->dimension &&
+        *(domain->dimension == 2 ? own_constants<2>(i) : own_constants<3>(i)) == 0.0;
+  MPI_Allreduce(&flat, &all_flat, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   double bytes = memory_usage() + bond_fix->memory_usage(), all_bytes;
   MPI_Allreduce(&bytes, &all_bytes, 1, MPI_DOUBLE, MPI_SUM, world);
   if (comm->me) return;
@@ -84,6 +92,10 @@ void PairTMSPH::report()
                  intact + broken + cut, 2.0 * (intact + broken + cut) / natoms, fewest, most,
                  broken, cut, features(), all_bytes / natoms, doubles_per_ghost(), stable_dt,
                  update->dt / stable_dt);
+  if (all_flat && !broken && !cut)
+    error->warning(FLERR, "{} particles have their neighbors on one {} and carry no stress: bodies "
+                          "should be 2 particles thick, better 4",
+                   all_flat, domain->dimension == 2 ? "line" : "line or plane");
   if (cut && !break_test && !(states_in_contact() >> FixTMSPHBond::CUT & 1u))
     error->warning(FLERR, "The faces of cuts pass through each other: add a fix "
                           "tmsph/contact");

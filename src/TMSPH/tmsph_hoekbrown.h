@@ -66,7 +66,7 @@ inline bool may_fail(double mean, double deviation2, double reach, double streng
   const double bracket = rock.s - rock.mb * largest / strength;
   // x^(2a) >= min(x, x^2) for 1/2 <= a <= 1
   const double power = rock.a == 0.5 || bracket > 1.0 ? bracket : bracket * std::fabs(bracket);
-  return 4.0 * deviation2 >= strength * strength * power * ROUNDING;
+  return !(4.0 * deviation2 < strength * strength * power * ROUNDING);    // true where it is 0 inf
 }
 
 /** Load factor o: the stress divided by o is just at failure, so that o >= 1 means failure.

@@ -1,0 +1,8 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""The short cases of the stability suite on contact. All of them:
+./tmsph report --only stability."""
+
+import contact
+from cases import tested
+
+tested(contact)

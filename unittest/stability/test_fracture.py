@@ -1,0 +1,8 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""The short cases of the stability suite on breaking. All of them:
+./tmsph report --only stability."""
+
+import fracture
+from cases import tested
+
+tested(fracture)
