@@ -1,6 +1,6 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Mutated inputs: whatever the words and numbers, lmp ends well or with one error. Crashes,
-hangs and NaN in a dump fail, and their inputs are kept.
+hangs, NaN in a dump and endings with no or several errors (unclear) fail; their inputs are kept.
 
     fuzz.py [COUNT] [--seed S] [--keep FOLDER]
 """
@@ -30,7 +30,7 @@ FORBIDDEN = re.compile(r"^\s*(shell|python|plugin|jump|next|log)\b", re.M)
 NUMBER = re.compile(r"[-+]?\d[\d.e+-]*$")
 # A length of a run that asks for more steps than fit the time is no hang
 LONG_RUN = re.compile(r"^\s*(run|minimize|tmsph/quasistatic)\b.*\d{4,}", re.M)
-FAILURES = ("crash", "hang", "nan")
+FAILURES = ("crash", "hang", "nan", "unclear")
 # Crashes of LAMMPS itself: what the script has, the function that the stack names, and an input
 # without TMSPH that must crash likewise
 LAMMPS = [(r"comm_modify +cutoff +\S*\d{9,}|comm_modify +cutoff +\S*e[+]?\d{2,}", "NBinStandard", """\
@@ -46,15 +46,25 @@ run 0
 """)]
 
 
+def scaled(word, chance):
+    """The number times a factor, whole if it was whole."""
+    try:
+        value = float(word) * chance.choice((-1, 0.1, 0.5, 0.9, 1.1, 2, 10, 1e3, 1e6, 1e-3, 1e-6))
+    except ValueError:
+        return chance.choice(NUMBERS)
+    return str(int(value)) if word.isdigit() else f"{value:.9g}"
+
+
 def mutate_line(line, chance, vocabulary):
     """One line with one word changed."""
     words = line.split(" ")
     at = chance.randrange(len(words))
     numbers = [k for k, word in enumerate(words) if NUMBER.match(word)]
-    kind = chance.choice(("number", "number", "number", "word", "drop", "double", "swap", "other"))
-    if kind == "number" and numbers:
+    kind = chance.choice(("number", "number", "factor", "factor", "factor", "word", "drop", "double",
+                          "swap", "other"))
+    if kind in ("number", "factor") and numbers:
         at = chance.choice(numbers)
-        words[at] = chance.choice(NUMBERS)
+        words[at] = chance.choice(NUMBERS) if kind == "number" else scaled(words[at], chance)
     elif kind == "word":
         words[at] = chance.choice(WORDS)
     elif kind == "drop":
@@ -129,7 +139,7 @@ def outcome(folder, script, files):
     except subprocess.TimeoutExpired as late:
         return "hang", (late.stdout or b"").decode(errors="replace")[-2000:]
     log = done.stdout.decode(errors="replace")
-    error = re.search(r"^ERROR.*", log, re.M)
+    errors = re.findall(r"^ERROR.*", log, re.M)
     if done.returncode < 0 or "Signal: " in log or done.returncode >= 128:
         return ("memory" if "bad_alloc" in log else "crash"), log[-2000:]
     dump = folder / "out.dump"
@@ -137,7 +147,7 @@ def outcome(folder, script, files):
         return "nan", log[-2000:]
     if done.returncode == 0:
         return "well", ""
-    return ("error", error[0]) if error else ("crash", log[-2000:])
+    return ("error", errors[0]) if len(errors) == 1 else ("unclear", log[-2000:])
 
 
 def of_lammps(script, words):
