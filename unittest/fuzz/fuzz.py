@@ -31,19 +31,20 @@ NUMBER = re.compile(r"[-+]?\d[\d.e+-]*$")
 # A length of a run that asks for more steps than fit the time is no hang
 LONG_RUN = re.compile(r"^\s*(run|minimize|tmsph/quasistatic)\b.*\d{4,}", re.M)
 FAILURES = ("crash", "hang", "nan", "unclear")
-# Crashes of LAMMPS itself: what the script has, the function that the stack names, and an input
-# without TMSPH that must crash likewise
-LAMMPS = [(r"comm_modify +cutoff +\S*\d{9,}|comm_modify +cutoff +\S*e[+]?\d{2,}", "NBinStandard", """\
-units lj
-comm_modify cutoff 1e300
+# Bad endings of LAMMPS itself: what the script has, the words of the ending, and an input without
+# TMSPH that must end likewise
+FAR = r"comm_modify +cutoff +\S*(\d{9,}|e[+]?\d{2,})"
+LIQUID = """units lj
 region box block 0 4 0 4 0 4
 create_box 1 box
 create_atoms 1 random 20 1 NULL
 mass * 1
 pair_style lj/cut 1
 pair_coeff * * 1 1
-run 0
-""")]
+"""
+LAMMPS = [(FAR, "NBinStandard", LIQUID + "comm_modify cutoff 1e300\nrun 0\n"),
+          (FAR, "MPI_ERR_RANK", LIQUID + "write_restart mid.restart\nclear\n"
+           "read_restart mid.restart\ncomm_modify cutoff 1e300\nrun 0\n")]
 
 
 def scaled(word, chance):
@@ -150,13 +151,13 @@ def outcome(folder, script, files):
     return ("error", errors[0]) if len(errors) == 1 else ("unclear", log[-2000:])
 
 
-def of_lammps(script, words):
-    """Whether this crash is one of LAMMPS that does not need TMSPH."""
-    for pattern, function, plain in LAMMPS:
-        if re.search(pattern, script) and function in words:
+def of_lammps(kind, script, words):
+    """Whether this ending is one of LAMMPS that does not need TMSPH."""
+    for pattern, signature, plain in LAMMPS:
+        if re.search(pattern, script) and signature in words:
             with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
-                kind, said = outcome(Path(folder), plain, {})
-            return kind == "crash" and function in said
+                plain_kind, said = outcome(Path(folder), plain, {})
+            return plain_kind == kind and signature in said
     return False
 
 
@@ -177,8 +178,8 @@ def main():
         name, script, files = mutant(number, options.seed)
         with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
             kind, words = outcome(Path(folder), script, files)
-            if kind == "crash" and of_lammps(script, words):
-                kind = "crash without TMSPH"
+            if kind in FAILURES and of_lammps(kind, script, words):
+                kind = "fails without TMSPH as well"
             if kind in FAILURES and options.keep:
                 shutil.copytree(folder, Path(options.keep) / f"{options.seed}-{number}-{kind}",
                                 dirs_exist_ok=True)
