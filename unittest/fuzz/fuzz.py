@@ -21,10 +21,11 @@ from seeds import SEEDS, t
 
 SECONDS = 10
 MEMORY = 4 << 30    # bytes of address space
-NUMBERS = ["0", "-1", "1", "2", "3", "1e300", "-1e300", "1e-300", "nan", "inf", "-inf", "2147483647",
-           "2147483648", "-2147483648", "99999999999999999999", "1.5", "0.5", "1e", "0x10", "*", "2*1"]
-WORDS = ["", "NULL", "v_none", "v_T", "c_p", "all", "none", "yes", "*", "\u00e9\u2264", "\"", "'a b'",
-         "${x}", "$(1/0)", "x" * 300, "#", "&"]
+NUMBERS = ["0", "-1", "1", "2", "3", "1e300", "-1e300", "1e-300", "nan", "inf", "-inf",
+           "2147483647", "2147483648", "-2147483648", "99999999999999999999", "1.5", "0.5", "1e",
+           "0x10", "*", "2*1"]
+WORDS = ["", "NULL", "v_none", "v_T", "c_p", "all", "none", "yes", "*", "\u00e9\u2264", "\"",
+         "'a b'", "${x}", "$(1/0)", "x" * 300, "#", "&"]
 # Commands that reach out of the input, and loops that never end by themselves
 FORBIDDEN = re.compile(r"^\s*(shell|python|plugin|jump|next|log)\b", re.M)
 NUMBER = re.compile(r"[-+]?\d[\d.e+-]*$")
@@ -61,8 +62,8 @@ def mutate_line(line, chance, vocabulary):
     words = line.split(" ")
     at = chance.randrange(len(words))
     numbers = [k for k, word in enumerate(words) if NUMBER.match(word)]
-    kind = chance.choice(("number", "number", "factor", "factor", "factor", "word", "drop", "double",
-                          "swap", "other"))
+    kind = chance.choice(("number", "number", "factor", "factor", "factor", "word", "drop",
+                          "double", "swap", "other"))
     if kind in ("number", "factor") and numbers:
         at = chance.choice(numbers)
         words[at] = chance.choice(NUMBERS) if kind == "number" else scaled(words[at], chance)

@@ -85,7 +85,8 @@ variable T equal 20+20*time
 group left id 1:12
 fix hot all tmsph/heat/boundary temperature v_T
 fix rock all tmsph/hoekbrown strength * 20e6 mi * 8 weibull * 5 4711
-""" + WATCH + """tmsph/quasistatic 3 change 30.0 residual 1e-3 1e-2 breaking 0.9 jump no evaluations 400
+""" + WATCH + """tmsph/quasistatic 3 change 30.0 residual 1e-3 1e-2 breaking 0.9 jump no \
+evaluations 400
 min_style tmsph/lbfgs
 min_modify dmax 1e-6 memory 5
 minimize 0 1e-3 50 100
@@ -118,8 +119,8 @@ region ball sphere 0.002 0.002 0.002 0.01
 fix rock all tmsph/hoekbrown strength * 100e6 mi * 8 principal all
 fix touch all tmsph/contact friction * * 0.3 surface ball
 fix base all tmsph/wall plane 0 0 0 0 0 1 friction 0.3 velocity 0 0 1
-fix heat all tmsph/heat conductivity * orthotropic 3 2 1 0 0 1 30 specific/heat * table rock.table c \
-subcycle explicit
+fix heat all tmsph/heat conductivity * orthotropic 3 2 1 0 0 1 30 specific/heat * \
+table rock.table c subcycle explicit
 fix sun all tmsph/heat/boundary flux 1e5 region ball
 fix sky all tmsph/heat/boundary radiation 5.1e-8 -20 zero -273.15 area 1e-4
 fix move all nve
