@@ -84,6 +84,7 @@ void AtomVecTMSPH::data_atom_post(int ilocal)
     error->one(FLERR, "Invalid volume {} in Atoms section of data file: it must be positive",
                vfrac[ilocal]);
   damage[ilocal] = 0.0;
+  atom->heatflow[ilocal] = 0.0;
   for (int k = 0; k < 3; k++) x0[ilocal][k] = atom->x[ilocal][k];
 }
 
