@@ -366,20 +366,6 @@ void FixTMSPHBond::unpack_forward_comm(int n, int first, double *buf)
     std::copy(buf, buf + 3 * (size_t) n, xref.begin() + 3 * (size_t) first);
 }
 
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHBond::reference_vector(int i, int j, double *X) const
-{
-  // from the lower id to the higher, so that both ends round alike
-  const bool upward = atom->tag[i] < atom->tag[j];
-  const double *from = atom->x0[upward ? i : j], *to = atom->x0[upward ? j : i];
-  for (int k = 0; k < 3; k++) {
-    double d = to[k] - from[k];
-    if (period[k] > 0.0) d -= period[k] * std::round(d / period[k]);
-    X[k] = upward ? d : -d;
-  }
-}
-
 /* ----------------------------------------------------------------------
    the image of particle "id" that is nearest to i in the reference frame
 ------------------------------------------------------------------------- */
@@ -395,77 +381,6 @@ int FixTMSPHBond::find_partner(int i, tagint id) const
     if (R2 < reach * reach) return j;
   }
   return -1;
-}
-
-/* ---------------------------------------------------------------------- */
-
-float FixTMSPHBond::weight(int i, int j) const
-{
-  double X[3];
-  reference_vector(i, j, X);
-  const int dimension = domain->dimension;
-  const double R = std::sqrt(X[0] * X[0] + X[1] * X[1] + (dimension == 3 ? X[2] * X[2] : 0.0));
-  return (float) (atom->vfrac[i] * atom->vfrac[j] *
-                  TMSPH::kernel_slope(user->kernel_of_bonds(), dimension, R,
-                                      user->horizon(atom->type[i], atom->type[j])));
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixTMSPHBond::spacing(int i) const
-{
-  return domain->dimension == 3 ? std::cbrt(atom->vfrac[i])
-                                : std::sqrt(atom->vfrac[i] / thickness);
-}
-
-/* ----------------------------------------------------------------------
-   In 2-D the volume is an area times the thickness. The area is about the square of
-   the distance to the nearest partner: near 1, the thickness is 1.
-------------------------------------------------------------------------- */
-
-double FixTMSPHBond::find_thickness() const
-{
-  static constexpr double NEAR_ONE = 2.5;
-  if (domain->dimension == 3) return 1.0;
-  double mine[2] = {0.0, 0.0}, all[2];
-  for (int i = 0; i < atom->nlocal; i++) {
-    double nearest = HUGE_VAL, X[3];
-    for (int k = 0; k < npartner[i]; k++) {
-      const int j = partner_index(i, k);
-      if (j == i || state[i][k] == UNBONDED) continue;
-      reference_vector(i, j, X);
-      nearest = std::min(nearest, X[0] * X[0] + X[1] * X[1]);
-    }
-    if (nearest == HUGE_VAL) continue;
-    mine[0] += atom->vfrac[i];
-    mine[1] += nearest;
-  }
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
-  const double ratio = all[1] > 0.0 ? all[0] / all[1] : 1.0;
-  if (ratio < NEAR_ONE && ratio > 1.0 / NEAR_ONE) return 1.0;
-  return (float) ratio;    // the last digits depend on how the sums are spread over processors
-}
-
-/* ----------------------------------------------------------------------
-   tr K/D where a particle has all its neighbors
-------------------------------------------------------------------------- */
-
-double FixTMSPHBond::largest_kappa() const
-{
-  const int dimension = domain->dimension;
-  double mine = 0.0, all;
-  for (int i = 0; i < atom->nlocal; i++) {
-    double trace = 0.0, X[3];
-    for (int k = 0; k < npartner[i]; k++) {
-      if (state[i][k] == UNBONDED) continue;
-      const int j = partner_index(i, k);
-      reference_vector(i, j, X);
-      for (int c = 0; c < dimension; c++) trace += weight(i, j) * X[c] * X[c];
-    }
-    mine = std::max(mine, trace / (dimension * atom->vfrac[i]));
-  }
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return all;
 }
 
 /* ----------------------------------------------------------------------
