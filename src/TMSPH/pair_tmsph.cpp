@@ -21,7 +21,10 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// a shape matrix with a smaller ratio of its eigenvalues cannot tell strains apart
+// A shape matrix whose smallest eigenvalue is a smaller part than this of those in the interior of
+// the intact body cannot tell strains apart. Bonds add positive semidefinite terms, so that this
+// eigenvalue only falls as they break: a particle that has lost its stress never gets it back in a
+// state that it reached without. By its own largest eigenvalue it would, when a heavy bond goes.
 
 static constexpr double SINGULAR = 0.02;
 
@@ -174,7 +177,7 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen;
   eigen.computeDirect(K, Eigen::EigenvaluesOnly);
   const auto &value = eigen.eigenvalues();
-  const bool singular = !(value[0] > SINGULAR * value[D - 1]);
+  const bool singular = !(value[0] > SINGULAR * atom->vfrac[i] * bond_fix->interior_kappa());
   const Elastic &m = materials[atom->type[i]].elastic;
   double *own = bonds.own.data() + (size_t) q * CONSTANTS<D> * WIDTH + l;
   Eigen::Matrix<double, D, D> inverse = Eigen::Matrix<double, D, D>::Zero();
