@@ -116,6 +116,9 @@ class FixTMSPHBond : public Fix {
   int removals() const { return nremoved; }
   const TMSPH::Slices &layout() const { return slices; }
   TMSPH::Slices &layout() { return slices; }
+  double reference_distance(int i, int j) const;
+  /// V_j W_ij, the part of j in a mean at i; that of i itself with j = i
+  double kernel_mass(int i, int j, double horizon) const;
   /// W_ij = V_i V_j w_ij
   float weight(int i, int j) const;
   /// tr K/D of the interior when the bonds formed

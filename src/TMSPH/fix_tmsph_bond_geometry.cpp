@@ -31,15 +31,31 @@ void FixTMSPHBond::reference_vector(int i, int j, double *X) const
 
 /* ---------------------------------------------------------------------- */
 
-float FixTMSPHBond::weight(int i, int j) const
+double FixTMSPHBond::reference_distance(int i, int j) const
 {
   double X[3];
   reference_vector(i, j, X);
-  const int dimension = domain->dimension;
-  const double R = std::sqrt(X[0] * X[0] + X[1] * X[1] + (dimension == 3 ? X[2] * X[2] : 0.0));
+  const double across = domain->dimension == 3 ? X[2] * X[2] : 0.0;
+  return std::sqrt(X[0] * X[0] + X[1] * X[1] + across);
+}
+
+/* ---------------------------------------------------------------------- */
+
+float FixTMSPHBond::weight(int i, int j) const
+{
   return (float) (atom->vfrac[i] * atom->vfrac[j] *
-                  TMSPH::kernel_slope(user->kernel_of_bonds(), dimension, R,
+                  TMSPH::kernel_slope(user->kernel_of_bonds(), domain->dimension,
+                                      reference_distance(i, j),
                                       user->horizon(atom->type[i], atom->type[j])));
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHBond::kernel_mass(int i, int j, double horizon) const
+{
+  const double R = i == j ? 0.0 : reference_distance(i, j);
+  return atom->vfrac[j] *
+      TMSPH::kernel_value(user->kernel_of_bonds(), domain->dimension, R, horizon);
 }
 
 /* ---------------------------------------------------------------------- */

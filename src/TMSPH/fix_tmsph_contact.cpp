@@ -311,19 +311,6 @@ void FixTMSPHContact::rubbings(std::vector<Rubbing> &list)
     }
 }
 
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHContact::add_virial()
-{
-  if (!vflag_global && !vflag_atom) return;
-  for (const Member &m : members)
-    for (int k = 0; k < 6; k++) {
-      const double v = -atom->vfrac[m.i] * m.memory->stress[k];
-      if (vflag_global) virial[k] += v;
-      if (vflag_atom) vatom[m.i][k] += v;
-    }
-}
-
 /* ----------------------------------------------------------------------
    Pair forces off the line of centres turn a pair. The bonds of both ends
    balance that in the next force evaluation, without which a free body would have no
@@ -340,24 +327,6 @@ const std::vector<PairTMSPH::Contact::Couple> &FixTMSPHContact::couples()
     couple_list.push_back({m.i, {c[0], c[1], c[2]}});
   }
   return couple_list;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHContact::add_stress(double *stress)
-{
-  follow(false);
-  const int size = pair->stress_size();
-  for (const Member &m : members) {
-    double *row = stress + (size_t) size * m.i;
-    const double *mine = m.memory->stress;
-    if (size == 3) {
-      row[0] += mine[0];
-      row[1] += mine[1];
-      row[2] += mine[3];
-    } else
-      for (int k = 0; k < 6; k++) row[k] += mine[k];
-  }
 }
 
 /* ----------------------------------------------------------------------

@@ -82,22 +82,18 @@ void FixTMSPHHeat::find_norms()
 
 void FixTMSPHHeat::find_depths()
 {
-  const int dimension = domain->dimension;
-  const Kernel kernel = pair->kernel_of_bonds();
   std::vector<InterfaceDepth> depth_in(atom->ntypes + 1);
   for (int type = 1; type <= atom->ntypes && atom->ntypes > 1; type++)
-    depth_in[type] = InterfaceDepth(kernel, dimension, pair->horizon(type, type));
+    depth_in[type] = InterfaceDepth(pair->kernel_of_bonds(), domain->dimension,
+                                    pair->horizon(type, type));
   for (int i = 0; i < atom->nlocal; i++) {
     const int type = atom->type[i];
     const double reach = pair->horizon(type, type);
-    double own = atom->vfrac[i] * kernel_value(kernel, dimension, 0.0, reach), all = own;
+    double own = bonds->kernel_mass(i, i, reach), all = own;
     for (int n = 0; n < bonds->count(i); n++) {
       const int j = bonds->partner_index(i, n);
       if (j == i || bonds->bond_state(i, n) == FixTMSPHBond::UNBONDED) continue;
-      double X[3];
-      bonds->reference_vector(i, j, X);
-      const double R = std::sqrt(X[0] * X[0] + X[1] * X[1] + X[2] * X[2]);
-      const double mass = atom->vfrac[j] * kernel_value(kernel, dimension, R, reach);
+      const double mass = bonds->kernel_mass(i, j, reach);
       if (atom->type[j] == type) own += mass;
       all += mass;
     }

@@ -73,15 +73,11 @@ template <int D> void PairTMSPH::lay_out_coupling()
 template <int D> void PairTMSPH::update_crossing(Crossing &one)
 {
   const int i = one.i, type = atom->type[i];
-  const double volume = atom->vfrac[i];
-  double own = volume * kernel_value(kernel, D, 0.0, cutoff), all = own;
+  double own = bond_fix->kernel_mass(i, i, cutoff), all = own;
   for (int k = 0; k < bond_fix->count(i); k++) {
     if (bond_fix->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
     const int j = bond_fix->partner_index(i, k);
-    double X[3], R2 = 0.0;
-    bond_fix->reference_vector(i, j, X);
-    for (int c = 0; c < D; c++) R2 += X[c] * X[c];
-    const double mass = atom->vfrac[j] * kernel_value(kernel, D, std::sqrt(R2), cutoff);
+    const double mass = bond_fix->kernel_mass(i, j, cutoff);
     const bool same = same_material(type, atom->type[j]);
     if (same) own += mass;
     if (same || coupled(type, atom->type[j])) all += mass;

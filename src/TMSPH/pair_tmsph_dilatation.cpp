@@ -81,7 +81,6 @@ void PairTMSPH::lay_out_averaging()
     std::vector<float>().swap(all.averaging);
     return;
   }
-  const int dimension = domain->dimension;
   const double kappa = bond_fix->interior_kappa();
   all.averaging.assign(all.weight.size(), 0.0f);
   for (int q = 0; q < all.count(); q++)
@@ -93,12 +92,8 @@ void PairTMSPH::lay_out_averaging()
         const int j = all.partner[at];
         if (all.weight[at] == 0.0f || !same_material(atom->type[i], atom->type[j]))
           continue;
-        double X[3];
-        bond_fix->reference_vector(i, j, X);
-        const double R =
-            std::sqrt(X[0] * X[0] + X[1] * X[1] + (dimension == 3 ? X[2] * X[2] : 0.0));
-        all.averaging[at] = (float) (atom->vfrac[i] * atom->vfrac[j] / kappa *
-                                     kernel_value(kernel, dimension, R, cutoff));
+        all.averaging[at] =
+            (float) (atom->vfrac[i] / kappa * bond_fix->kernel_mass(i, j, cutoff));
       }
     }
 }
