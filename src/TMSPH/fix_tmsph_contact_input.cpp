@@ -135,8 +135,10 @@ void FixTMSPHContact::init()
       error->all(FLERR, "Region {} of fix tmsph/contact surface does not exist: define it with the "
                         "command region", name);
     if (region->dynamic || region->varshape)
-      error->all(FLERR, "Region {} of fix tmsph/contact surface moves: give the surface of a body in "
-                        "the reference positions; it then moves with the body", name);
+      error->all(FLERR,
+                 "Region {} of fix tmsph/contact surface moves: give the surface of a body in "
+                 "the reference positions; it then moves with the body",
+                 name);
     regions.push_back(region);
   }
   TMSPHLastForce::refuse_later_forces(lmp, this);

@@ -82,8 +82,9 @@ bool FixTMSPHContact::take_given_surfaces(const Pairing &p, const double *X,
   const double square = 0.5 * (1.0 - facing);    // of the length of half the difference: of "lean"
   if (facing > SAME_SIDE && !sides_checked) {
     sides_checked = true;
-    error->warning(FLERR, "Particles {} and {} are not bonded but on the same side of the surface of "
-                          "fix tmsph/contact: give the region by which they got their types",
+    error->warning(FLERR,
+                   "Particles {} and {} are not bonded but on the same side of the surface of "
+                   "fix tmsph/contact: give the region by which they got their types",
                    atom->tag[p.low], atom->tag[p.high]);
   }
   if (facing > FACING || apart <= 0.0) return false;

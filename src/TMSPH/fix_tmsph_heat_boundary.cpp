@@ -96,7 +96,8 @@ void FixTMSPHHeatBoundary::parse(int narg, char **arg)
     surface_words = surface_words || (word != "place" && word != "zero");
     if (word == "place") {
       if (strcmp(given, "body") != 0 && strcmp(given, "surface") != 0)
-        error->all(FLERR, "Unknown value '{}' of fix tmsph/heat/boundary place: use body or surface",
+        error->all(FLERR,
+                   "Unknown value '{}' of fix tmsph/heat/boundary place: use body or surface",
                    given);
       place = strcmp(given, "body") == 0 ? BODY : SURFACE;
     } else if (word == "region")
@@ -163,8 +164,10 @@ void FixTMSPHHeatBoundary::init()
   heat = conduction();
   body = place == BODY || (place == UNDECIDED && kind == TEMPERATURE && !heat);
   if (!body && !heat)
-    error->all(FLERR, "Fix tmsph/heat/boundary {} acts at the surface of a body that conducts heat: "
-                      "add a fix tmsph/heat", id);
+    error->all(FLERR,
+               "Fix tmsph/heat/boundary {} acts at the surface of a body that conducts heat: "
+               "add a fix tmsph/heat",
+               id);
   if (variable.empty()) return;
   variable_index = input->variable->find(variable.c_str());
   if (variable_index < 0)
@@ -304,8 +307,10 @@ void FixTMSPHHeatBoundary::find_surface()
   }
   MPI_Allreduce(&area, &total, 1, MPI_DOUBLE, MPI_SUM, world);
   if (!(total > 0.0) && !cracks)
-    error->all(FLERR, "Group {} of fix tmsph/heat/boundary {} has no particle at a surface: choose a "
-                      "group that reaches it, or use 'place body'", group->names[igroup], id);
+    error->all(FLERR,
+               "Group {} of fix tmsph/heat/boundary {} has no particle at a surface: choose a "
+               "group that reaches it, or use 'place body'",
+               group->names[igroup], id);
   if (given_area > 0.0 && total > 0.0)
     for (int i = 0; i < nlocal; i++) store->astore[i][AREA] *= given_area / total;
 }

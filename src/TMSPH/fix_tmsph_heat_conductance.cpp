@@ -145,7 +145,8 @@ template <int D> void FixTMSPHHeat::calibrate(int type, const std::vector<char> 
     if (count == 0.0) break;
     typename Conductivity::Tensor mean;
     for (int a = 0, n = 0; a < D; a++)
-      for (int b = a; b < D; b++) mean(a, b) = mean(b, a) = fixed_point_sum(terms[n++], world) / count;
+      for (int b = a; b < D; b++)
+        mean(a, b) = mean(b, a) = fixed_point_sum(terms[n++], world) / count;
     const double error = (K - mean).norm() / K.norm();
     used += K - mean;
     if (error < 1.0e-13) break;

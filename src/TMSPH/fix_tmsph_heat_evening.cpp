@@ -99,7 +99,8 @@ template <int D> void FixTMSPHHeat::even_out()
   }
 
   const size_t size = (size_t) nlocal * D;
-  std::vector<double> m(size), residual(size), direction, force(size), terms(size), diagonal(nlocal);
+  std::vector<double> m(size), residual(size), direction, force(size), terms(size),
+      diagonal(nlocal);
   std::vector<double> all[D];    // a vector of local and ghost particles, by component
   const auto spread = [&](const std::vector<double> &v) {
     for (int a = 0; a < D; a++) {

@@ -94,7 +94,8 @@ static int parse_property(LAMMPS *lmp, const std::string &word, int iarg, int na
 {
   Error *error = lmp->error;
   if (strcmp(arg[iarg], "table") == 0) {
-    if (iarg + 2 >= narg) utils::missing_cmd_args(FLERR, "fix tmsph/heat " + word + " table", error);
+    if (iarg + 2 >= narg)
+      utils::missing_cmd_args(FLERR, "fix tmsph/heat " + word + " table", error);
     std::vector<double> T, values;
     std::string trouble;
     if (lmp->comm->me == 0) {
@@ -179,8 +180,10 @@ void FixTMSPHHeat::parse(int narg, char **arg)
       utils::bounds(FLERR, arg[iarg + 2], 1, atom->ntypes, jlo, jhi, error);
       const double h = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
       if (!(h >= 0.0 && std::isfinite(h)))
-        error->all(FLERR, "Fix tmsph/heat contact {} must not be negative: it is the conductance of a "
-                          "closed crack per area", arg[iarg + 3]);
+        error->all(FLERR,
+                   "Fix tmsph/heat contact {} must not be negative: it is the conductance of a "
+                   "closed crack per area",
+                   arg[iarg + 3]);
       for (int i = ilo; i <= ihi; i++)
         for (int j = jlo; j <= jhi; j++) gap[i][j] = gap[j][i] = h;
       crosses = crosses || h > 0.0;
@@ -208,7 +211,8 @@ void FixTMSPHHeat::parse(int narg, char **arg)
   }
 
   if (viscous && every > 1)
-    error->all(FLERR, "Fix tmsph/heat viscous takes the work of each step: remove 'every {}'", every);
+    error->all(FLERR, "Fix tmsph/heat viscous takes the work of each step: remove 'every {}'",
+               every);
   bool any_orthotropic = false;
   for (int type = 1; type <= atom->ntypes; type++) {
     const Substance &s = substances[type];
@@ -216,14 +220,16 @@ void FixTMSPHHeat::parse(int narg, char **arg)
       error->all(FLERR, "Fix tmsph/heat lacks the conductivity of type {}: add 'conductivity {} k'",
                  type, type);
     if (!(s.specific_heat.smallest() > 0.0))
-      error->all(FLERR, "Fix tmsph/heat lacks the specific heat of type {}: add 'specific/heat {} c'",
+      error->all(FLERR,
+                 "Fix tmsph/heat lacks the specific heat of type {}: add 'specific/heat {} c'",
                  type, type);
     tables = tables || !s.conductivity.constant();
     any_orthotropic = any_orthotropic || s.orthotropic;
   }
   if (tables && any_orthotropic)
-    error->all(FLERR, "Fix tmsph/heat cannot have both orthotropic conductivities and conductivities "
-                      "from tables: give numbers instead of tables");
+    error->all(FLERR,
+               "Fix tmsph/heat cannot have both orthotropic conductivities and conductivities "
+               "from tables: give numbers instead of tables");
 }
 
 /* ----------------------------------------------------------------------
@@ -284,7 +290,8 @@ void FixTMSPHHeat::tell()
                  rkl2 ? "RKL2" : "explicit", all_bytes / std::max<bigint>(atom->natoms, 1), stable,
                  step, every);
   const double conduction = size * size / (time_scale * diffusivity), wave = size / slowest;
-  if (integrates && update->whichflag == 1 && update->nsteps > 0 && conduction < WAVE_PASSAGES * wave)
+  if (integrates && update->whichflag == 1 && update->nsteps > 0 &&
+      conduction < WAVE_PASSAGES * wave)
     error->warning(FLERR,
                    "Heat crosses the body in {:.3g}, waves in {:.3g}: with this time/scale of fix "
                    "tmsph/heat inertia matters; keep it below {:.2g}",

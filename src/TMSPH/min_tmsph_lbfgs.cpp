@@ -33,7 +33,8 @@ static constexpr double EPS_ENERGY = 1.0e-8;  // as in LAMMPS's minimizers
 /* ---------------------------------------------------------------------- */
 
 MinTMSPHLBFGS::MinTMSPHLBFGS(LAMMPS *lmp) :
-    Min(lmp), lbfgs(8), preconditioner(lmp), pair(nullptr), longest(0.0), with_energy(true), total_evaluations(0)
+    Min(lmp), lbfgs(8), preconditioner(lmp), pair(nullptr), longest(0.0), with_energy(true),
+    total_evaluations(0)
 {
   searchflag = 1;
   dmax = 0.0;    // not given: a fraction of the spacing

@@ -331,9 +331,11 @@ void PairTMSPH::viscous_heat(std::vector<double> &power)
   power.assign(atom->nlocal, 0.0);
   if (!on.viscosity) return;
   if (domain->dimension == 2)
-    viscous_heat_sweep<2>(on, slices(), viscosity, kinematic.data(), force_row.data(), power.data());
+    viscous_heat_sweep<2>(on, slices(), viscosity, kinematic.data(), force_row.data(),
+                          power.data());
   else
-    viscous_heat_sweep<3>(on, slices(), viscosity, kinematic.data(), force_row.data(), power.data());
+    viscous_heat_sweep<3>(on, slices(), viscosity, kinematic.data(), force_row.data(),
+                          power.data());
 }
 
 /* ---------------------------------------------------------------------- */

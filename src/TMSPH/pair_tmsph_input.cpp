@@ -269,7 +269,7 @@ void PairTMSPH::init_style()
   viscosity.smoothing_length = cutoff / support_in_smoothing_lengths(kernel);
   comm_forward = domain->dimension == 2 ? Rows<2>::FORCE : Rows<3>::FORCE;    // the longest
   prepared_version = -1;
-  break_test = nullptr;    // fixes that break bonds or let surfaces touch say so again in their init()
+  break_test = nullptr;    // fixes that break bonds or let surfaces touch say so in their init()
   contact = nullptr;
   contact_serves_heat = false;
 

@@ -359,8 +359,8 @@ void force_sweep(const Features &on, const Slices &bonds, const Viscosity &visco
                  const double *kinematic, const double *force_row, double *f, int stride)
 {
   with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
-    force<D, thermal(), hourglass(), viscous(), Sum::FORCE>(bonds, viscosity, kinematic, force_row, f,
-                                                       stride, nullptr);
+    force<D, thermal(), hourglass(), viscous(), Sum::FORCE>(bonds, viscosity, kinematic, force_row,
+                                                            f, stride, nullptr);
   });
 }
 

@@ -343,7 +343,8 @@ std::vector<Point> WallPlane::picture(const Point &middle, double size) const
                         normal[2] * along[0] - normal[0] * along[2],
                         normal[0] * along[1] - normal[1] * along[0]};
   std::vector<Point> corners;
-  for (const auto &[s, t] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
+  for (const auto &[s, t] :
+       {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
     corners.push_back({foot[0] + s * along[0] + t * across[0],
                        foot[1] + s * along[1] + t * across[1],
                        foot[2] + s * along[2] + t * across[2]});
