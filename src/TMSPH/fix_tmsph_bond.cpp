@@ -140,6 +140,13 @@ void FixTMSPHBond::setup(int /*vflag*/)
 
 /* ---------------------------------------------------------------------- */
 
+void FixTMSPHBond::min_setup(int /*vflag*/)
+{
+  user->run_begins();
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixTMSPHBond::post_neighbor()
 {
   refuse_strangers();

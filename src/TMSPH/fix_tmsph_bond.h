@@ -57,6 +57,7 @@ class FixTMSPHBond : public Fix {
   void init_list(int, class NeighList *) override;
   void setup_post_neighbor() override;
   void setup(int) override;
+  void min_setup(int) override;
   void post_run() override;
   void post_neighbor() override;
   void min_post_neighbor() override { post_neighbor(); }

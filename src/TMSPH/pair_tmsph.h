@@ -182,7 +182,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   int coefficients_at_estimate;
   bigint bonds_at_estimate;
   double stable_dt, intact_dt;    // now, and before bonds broke
-  bool reported;
+  bool reported, reported_timestep;
 
   bool stepped;                                   // the rows hold the velocities of a step or setup
   int prepared_version;                           // layout that the arrays below belong to

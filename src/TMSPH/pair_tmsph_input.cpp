@@ -32,8 +32,8 @@ PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), dilatation(Dilatation::AUTO),
     bond_fix(nullptr), break_test(nullptr), contact(nullptr), contact_serves_heat(false),
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0), stable_dt(0.0),
-    intact_dt(0.0), reported(false), stepped(false), prepared_version(-1), averaging(false),
-    coupling(false), what_to_send(FORCE_ROWS)
+    intact_dt(0.0), reported(false), reported_timestep(false), stepped(false),
+    prepared_version(-1), averaging(false), coupling(false), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;

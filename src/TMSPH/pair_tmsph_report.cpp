@@ -29,9 +29,15 @@ static constexpr double FRACTURE_MARGIN = 0.4;
 
 void PairTMSPH::run_begins()
 {
-  check_timestep();
+  const bool moves = update->whichflag == 1;    // other than a minimization
+  if (moves) check_timestep();
   if (!reported) report();
   reported = true;
+  if (!moves || reported_timestep) return;
+  reported_timestep = true;
+  if (comm->me == 0)
+    utils::logmesg(lmp, "  stable time step {:.4g}, {:.2f} of it in use\n", stable_dt,
+                   update->dt / stable_dt);
 }
 
 /* ----------------------------------------------------------------------
@@ -50,7 +56,7 @@ void PairTMSPH::check_timestep()
   }
   bool integrates = false;
   for (const auto &fix : modify->get_fix_list()) integrates = integrates || fix->time_integrate;
-  if (update->whichflag != 1 || !integrates || update->nsteps == 0) return;
+  if (!integrates || update->nsteps == 0) return;
   if (update->dt > stable_dt)
     error->all(FLERR, "The time step {} is above the stable one, {:.4g}: set 'timestep {:.2g}' or "
                       "less",
@@ -87,11 +93,9 @@ void PairTMSPH::report()
                  "TMSPH: {} bonds, {:.1f} per particle ({} to {}), {} broken, {} cut\n"
                  "  on: {}\n"
                  "  {:.0f} bytes per particle, {} doubles sent per ghost and step besides "
-                 "positions\n"
-                 "  stable time step {:.4g}, {:.2f} of it in use\n",
+                 "positions\n",
                  intact + broken + cut, 2.0 * (intact + broken + cut) / natoms, fewest, most,
-                 broken, cut, features(), all_bytes / natoms, doubles_per_ghost(), stable_dt,
-                 update->dt / stable_dt);
+                 broken, cut, features(), all_bytes / natoms, doubles_per_ghost());
   if (all_flat && !broken && !cut)
     error->warning(FLERR, "{} particles have their neighbors on one {} and carry no stress: bodies "
                           "should be 2 particles thick, better 4",
