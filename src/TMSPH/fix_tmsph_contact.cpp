@@ -143,6 +143,13 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
                          expands ? pair->thermal_strain(p) : 0.0};
   };
+  for (const Refit &r : refits) {
+    Pairing &p = pairings[r.pairing];
+    const auto low = at(p.low), high = at(p.high);
+    p.now = past_of_refitted(contact_state<D>(r.before, low, high, p.now, kernel, 0.0),
+                             contact_state<D>(p.pair, low, high, {}, kernel, 0.0));
+  }
+  refits.clear();
   pressing.resize(pairings.size());
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
@@ -231,8 +238,8 @@ void FixTMSPHContact::write_back()
   if (!records_behind) return;
   records_behind = false;
   for (const Pairing &p : pairings) {
-    std::copy_n(p.now, 2, p.moved);
-    if (p.copy) std::copy_n(p.now, 2, p.copy);
+    *p.past = p.now;
+    if (p.copy) *p.copy = p.now;
   }
 }
 

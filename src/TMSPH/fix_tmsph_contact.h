@@ -91,17 +91,16 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void rubbings(std::vector<Rubbing> &) override;
 
  private:
-  /** What a pair remembers, at both ends: the movement of its friction origin against the one
-      that the reference positions give. */
+  /** What a pair remembers, at both ends. */
   struct Record {
     tagint partner;
-    double moved[2];
+    TMSPH::ContactPast past;
     bool parted;          // they went out of each other's reach; if they come back they meet anew
   };
   /** A pair of particles that met later, at both ends. */
   struct Met {
     tagint partner;
-    double moved[2];
+    TMSPH::ContactPast past;
     TMSPH::PairGeometry geometry;
   };
   /** A pair that presses, as heat needs it. */
@@ -131,10 +130,15 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   struct Pairing {
     int low, high;        // by id
     int kind;             // 0: bodies that are not bonded, 1: faces of a crack or a cut, 2: met later
-    double *moved;        // of the record of a local end
-    double *copy;         // of the other one if it is local too, or nullptr
-    double now[2];        // the same, ahead of the records: see write_back()
+    TMSPH::ContactPast *past;    // of the record of a local end
+    TMSPH::ContactPast *copy;    // of the other one if it is local too, or nullptr
+    TMSPH::ContactPast now;      // the same, ahead of the records: see write_back()
     TMSPH::ContactPair pair;
+  };
+  /** A pair whose surfaces are found anew, and the former ones. */
+  struct Refit {
+    int pairing;
+    TMSPH::ContactPair before;
   };
   /** Where a particle touches the outline of another body. */
   struct Place {
@@ -188,7 +192,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
     bool low;             // it has the lower id
     Record *record;       // one of these two, the other is nullptr
     Met *met;
-    double *moved() const { return record ? record->moved : met->moved; }
+    TMSPH::ContactPast *past() const { return record ? &record->past : &met->past; }
   };
   struct Member {
     int i, first, last;    // local particle, its ends
@@ -207,6 +211,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   std::vector<Member> members;
   std::vector<End> ends;                     // of each member by ascending partner
   std::vector<Pairing> pairings;
+  std::vector<Refit> refits;                 // since the last evaluation
   std::tuple<std::vector<TMSPH::ContactState<2>>, std::vector<TMSPH::ContactState<3>>> states_of;
   std::vector<double> pressing;              // stiffness of each pair that presses, else 0
   std::vector<Act> acts;                     // of those
@@ -240,6 +245,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   bool counts(int state) const { return states() >> state & 1u; }
   void warn_if_apart(double nearest);
   template <int D> void fit_pairs();
+  void find_refits(const std::vector<Pairing> &before);
   void set_stiffness(Pairing &, double kappa, double ratio, double closure) const;
   TMSPH::Surface given_surface(int i) const;
   template <int D> bool take_given_surfaces(const Pairing &, const double *X,

@@ -21,6 +21,7 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+using TMSPH::ContactPast;
 using TMSPH::PairGeometry;
 
 /* ---------------------------------------------------------------------- */
@@ -151,10 +152,12 @@ void FixTMSPHContact::init()
 ------------------------------------------------------------------------- */
 
 static constexpr int GEOMETRY_SIZE = sizeof(PairGeometry) / sizeof(double);
+static constexpr int PAST_SIZE = sizeof(ContactPast) / sizeof(double);
 
 int FixTMSPHContact::exchange_size(int nrecords, int nmet, int nanchors, int npressed)
 {
-  return 22 + 3 * nrecords + (3 + GEOMETRY_SIZE) * nmet + 4 * nanchors + 3 * npressed;
+  return 22 + (1 + PAST_SIZE) * nrecords + (1 + PAST_SIZE + GEOMETRY_SIZE) * nmet +
+      4 * nanchors + 3 * npressed;
 }
 
 /* ----------------------------------------------------------------------
@@ -196,11 +199,13 @@ int FixTMSPHContact::pack_exchange(int i, double *buf)
   *p++ = memory.apart;
   for (const Record &r : memory.records) {
     *p++ = ubuf(r.parted ? -r.partner : r.partner).d;
-    p = std::copy_n(r.moved, 2, p);
+    memcpy(p, &r.past, sizeof(ContactPast));
+    p += PAST_SIZE;
   }
   for (const Met &met : memory.met) {
     *p++ = ubuf(met.partner).d;
-    p = std::copy_n(met.moved, 2, p);
+    memcpy(p, &met.past, sizeof(ContactPast));
+    p += PAST_SIZE;
     memcpy(p, &met.geometry, sizeof(PairGeometry));
     p += GEOMETRY_SIZE;
   }
@@ -245,12 +250,14 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
     const tagint partner = (tagint) ubuf(*p++).i;
     r.parted = partner < 0;
     r.partner = r.parted ? -partner : partner;
-    take(r.moved, 2);
+    memcpy(&r.past, p, sizeof(ContactPast));
+    p += PAST_SIZE;
   }
   memory.met.resize(nmet);
   for (Met &met : memory.met) {
     met.partner = (tagint) ubuf(*p++).i;
-    take(met.moved, 2);
+    memcpy(&met.past, p, sizeof(ContactPast));
+    p += PAST_SIZE;
     memcpy(&met.geometry, p, sizeof(PairGeometry));
     p += GEOMETRY_SIZE;
   }

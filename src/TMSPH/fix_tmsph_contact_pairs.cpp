@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
@@ -43,6 +44,8 @@ void FixTMSPHContact::follow(bool after_breaks)
     MPI_Allreduce(&mine, &changed, 1, MPI_INT, MPI_MAX, world);
   }
   if (!changed) return;
+  std::vector<Pairing> before;    // their particles are still where they were
+  if (version == bonds->layout_version()) before = pairings;
   version = bonds->layout_version();
   removals = bonds->removals();
   if (segments) {
@@ -56,6 +59,29 @@ void FixTMSPHContact::follow(bool after_breaks)
     fit_pairs<2>();
   else
     fit_pairs<3>();
+  find_refits(before);
+}
+
+/* ----------------------------------------------------------------------
+   pairs of crack faces that had other surfaces before bonds broke
+------------------------------------------------------------------------- */
+
+void FixTMSPHContact::find_refits(const std::vector<Pairing> &before)
+{
+  const auto order = [](const Pairing &a, const Pairing &b) {
+    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+  };
+  std::vector<Pairing> sorted(before);
+  std::sort(sorted.begin(), sorted.end(), order);
+  for (size_t n = 0; n < pairings.size() && !sorted.empty(); n++) {
+    const Pairing &p = pairings[n];
+    const auto old = std::lower_bound(sorted.begin(), sorted.end(), p, order);
+    if (p.kind != 1 || old == sorted.end() || order(p, *old)) continue;
+    const ContactPair &was = old->pair, &is = p.pair;
+    if (was.distance != is.distance ||
+        !std::equal(is.normal_low, is.normal_low + domain->dimension, was.normal_low))
+      refits.push_back({(int) n, was});
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -87,7 +113,7 @@ int FixTMSPHContact::list_members()
           before.records.begin(), before.records.end(), partner,
           [](const Record &r, tagint id) { return r.partner < id; });
       const bool known = old != before.records.end() && old->partner == partner;
-      records.push_back(known ? *old : Record{partner, {0.0, 0.0}, false});
+      records.push_back(known ? *old : Record{partner, {}, false});
       records.back().parted = records.back().parted || j == i;
       where.push_back(j);
     }
@@ -129,13 +155,13 @@ void FixTMSPHContact::list_pairs()
   std::vector<int> member_of(atom->nlocal, -1);
   for (size_t n = 0; n < members.size(); n++) member_of[members[n].i] = n;
   pairings.clear();
+  refits.clear();
   const auto add = [&](const Member &m, End &e) {
     const int state = e.met ? -1 : bonds->state_with(m.i, tag[e.j]);
     const int kind = e.met ? 2 : state == FixTMSPHBond::UNBONDED ? 0 : 1;
     e.pairing = pairings.size();
-    double *moved = e.moved();
-    pairings.push_back(
-        {e.low ? m.i : e.j, e.low ? e.j : m.i, kind, moved, nullptr, {moved[0], moved[1]}, {}});
+    ContactPast *past = e.past();
+    pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, kind, past, nullptr, *past, {}});
     if (e.met) static_cast<PairGeometry &>(pairings.back().pair) = e.met->geometry;
   };
   for (const Member &m : members)
@@ -149,7 +175,7 @@ void FixTMSPHContact::list_pairs()
           ends.begin() + other.first, ends.begin() + other.last, tag[m.i],
           [tag](const End &e, tagint id) { return tag[e.j] < id; });
       ends[n].pairing = end->pairing;
-      pairings[end->pairing].copy = ends[n].moved();
+      pairings[end->pairing].copy = ends[n].past();
     }
 
   // restarts are written with one width for all processors

@@ -200,7 +200,7 @@ template <int D> int FixTMSPHContact::meet()
   const Cells cells(atom->x, candidates, horizon);
 
   int met = 0;
-  static constexpr double REST[3] = {}, NOWHERE[2] = {};
+  static constexpr double REST[3] = {};
   const auto make = [&](int i, int j) {
     double r2 = 0.0;
     for (int a = 0; a < 3; a++) {
@@ -232,7 +232,7 @@ template <int D> int FixTMSPHContact::meet()
     };
     if (!are(Exposure::LOOSE, false) && facing > FACING) return;
 
-    const ContactState<D> s = contact_state<D>(pair_of_them, end(low), end(high), NOWHERE,
+    const ContactState<D> s = contact_state<D>(pair_of_them, end(low), end(high), {},
                                                pair->kernel_of_bonds(), 0.0);
     if (!(s.penetration < 0.0)) return;    // with D = 0: the one behind the other
 
@@ -247,7 +247,7 @@ template <int D> int FixTMSPHContact::meet()
         : joins                                          ? neutral
                                                          : std::min(depths, neutral);
     record.geometry.share = one[Row::DEPTH] / depths;
-    for (int k = 0; k < D - 1; k++) record.moved[k] = s.slip[k] / s.stretch;
+    for (int k = 0; k < D - 1; k++) record.past.moved[k] = s.slip[k] / s.stretch;
     memories[atom->tag[i]].met.push_back(record);
     met++;
   };

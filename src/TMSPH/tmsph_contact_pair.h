@@ -43,6 +43,12 @@ struct ContactPair : PairGeometry {
   double horizon;          ///< support of the kernel
 };
 
+/** What a pair remembers of its past. */
+struct ContactPast {
+  double moved[2];         ///< tangential coordinates where friction is zero, less those of the origin
+  double worn;             ///< overlap of the surfaces that takes no force
+};
+
 /** One end as a force evaluation finds it. */
 template <int D> struct ContactEnd {
   const double *x, *v, *a;    ///< position, velocity, acceleration by all other forces
@@ -115,11 +121,10 @@ inline void tangents(const double *n, const double *H, const double *N, double (
 }
 
 /** Geometry and prediction of one pair.
-    @param moved tangential coordinates where friction is zero, less the origin of the pair
     @param dt    0: nothing is predicted, the state is as it is */
 template <int D>
 inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D> &low,
-                                     const ContactEnd<D> &high, const double *moved,
+                                     const ContactEnd<D> &high, const ContactPast &past,
                                      Kernel kernel, double dt)
 {
   ContactState<D> s;
@@ -151,7 +156,7 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
     apart_next += s.normal[a] * next[a];
   }
   s.stretch = 1.0 + 0.5 * (low.thermal + high.thermal);
-  const double touching = pair.distance * s.stretch * s.lean;
+  const double touching = pair.distance * s.stretch * s.lean - past.worn;
   double R2 = pair.distance * pair.distance;
   for (int k = 0; k < D - 1; k++) {
     double tau = 0.0, tau_next = 0.0;
@@ -160,7 +165,7 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
       tau_next += s.tangent[k][a] * next[a];
     }
     R2 += tau * tau;
-    s.slip[k] = tau_next - s.stretch * (pair.origin[k] + moved[k]);
+    s.slip[k] = tau_next - s.stretch * (pair.origin[k] + past.moved[k]);
   }
   const double R = std::max(std::sqrt(R2), 1.0e-3 * pair.horizon);    // w has a limit at 0
   s.weight = kernel_slope(kernel, D, R, pair.horizon);
@@ -176,12 +181,12 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
 /** Force on the high end; the low end gets the opposite.
     @param frequency Kc_low/m_low + Kc_high/m_high, Kc = sum of k_n over the active pairs of an end
     @param dt    0: nothing is predicted
-    @param moved grows by the excess of a sliding pair
+    @param past  its friction moves by the excess of a sliding pair
     @param heat  energy that friction took, added
     @return the normal force */
 template <int D>
 inline double contact_force(ContactLaw law, const ContactPair &pair, const ContactState<D> &s,
-                            double frequency, double dt, double *force, double *moved,
+                            double frequency, double dt, double *force, ContactPast &past,
                             double &heat)
 {
   const double q = ahead(law, dt) * ahead(law, dt) * frequency;
@@ -196,9 +201,35 @@ inline double contact_force(ContactLaw law, const ContactPair &pair, const Conta
   for (int k = 0; k < D - 1; k++) {
     for (int a = 0; a < D; a++) force[a] -= friction[k] * s.tangent[k][a];
     heat += friction[k] * excess[k];
-    moved[k] += excess[k] / s.stretch;
+    past.moved[k] += excess[k] / s.stretch;
   }
   return normal;
+}
+
+/** A pair whose surfaces are found anew keeps its energy, or has less: slip along a surface that
+    turns would become overlap, with an energy that nothing has brought.
+    @param before with the former surfaces
+    @param after  at the same positions with the new ones and no past
+    @return       the past with which it goes on */
+template <int D>
+inline ContactPast past_of_refitted(const ContactState<D> &before, const ContactState<D> &after)
+{
+  const auto least = [](double was, double is) { return was < is ? std::sqrt(was / is) : 1.0; };
+  const bool pressed = before.penetration > 0.0;
+  const double overlap =
+      pressed ? before.penetration * least(before.stiffness, after.stiffness) : 0.0;
+  const double part = pressed ? least(before.shear_ratio * before.stiffness,
+                                      after.shear_ratio * after.stiffness)
+                              : 0.0;
+  ContactPast past = {{0.0, 0.0}, std::max(0.0, after.penetration - overlap)};
+  for (int k = 0; k < D - 1; k++) {
+    double slip = 0.0;
+    for (int l = 0; l < D - 1; l++)
+      for (int a = 0; a < D; a++)
+        slip += part * before.slip[l] * before.tangent[l][a] * after.tangent[k][a];
+    past.moved[k] = (after.slip[k] - slip) / after.stretch;
+  }
+  return past;
 }
 
 }    // namespace TMSPH
