@@ -26,7 +26,7 @@ create_atoms 1 region body
 set group all volume 1e-6 temperature 20
 pair_style tmsph 3.015e-3
 pair_coeff 1 1 elastic 40e9 0.3 density 2700 expansion 1.5e-5
-fix break all tmsph/hoekbrown strength * 200e6 mi * 8 weibull * 5 4711
+fix break all tmsph/hoekbrown strength * 1500e6 mi * 8 weibull * 5 4711
 fix move all nve
 timestep 5e-8
 variable hot atom 20+150*(x>0.006)
