@@ -63,9 +63,14 @@ class Cells {
   std::int64_t count[3];
   std::vector<std::pair<std::int64_t, int>> entries;    // ascending cells
 
+  /* Points far below the members have nobody near and are in cell -2; those that are LAST cells or
+     more above the lowest member share one, so that keys fit in 64 bits. NaN counts as far below. */
+  static constexpr std::int64_t LAST = std::int64_t(1) << 20;
   std::int64_t cell(double x, int a) const
   {
-    return static_cast<std::int64_t>(std::floor((x - lo[a]) / reach));
+    const double number = std::floor((x - lo[a]) / reach);
+    if (!(number > -2.0)) return -2;
+    return number < LAST ? static_cast<std::int64_t>(number) : LAST;
   }
   std::int64_t key(std::int64_t ix, std::int64_t iy, std::int64_t iz) const
   {
