@@ -138,18 +138,12 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
 
   const Kernel kernel = pair->kernel_of_bonds();
   const bool expands = pair->expands();
+  if (!refits.empty()) keep_energy<D>();
   const auto at = [&](int p) {
     const double *row = rows.data() + (size_t) width * p;
     return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
                          expands ? pair->thermal_strain(p) : 0.0};
   };
-  for (const Refit &r : refits) {
-    Pairing &p = pairings[r.pairing];
-    const auto low = at(p.low), high = at(p.high);
-    p.now = past_of_refitted(contact_state<D>(r.before, low, high, p.now, kernel, 0.0),
-                             contact_state<D>(p.pair, low, high, {}, kernel, 0.0));
-  }
-  refits.clear();
   pressing.resize(pairings.size());
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];

@@ -246,6 +246,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   void warn_if_apart(double nearest);
   template <int D> void fit_pairs();
   void find_refits(const std::vector<Pairing> &before);
+  template <int D> void keep_energy();
   void set_stiffness(Pairing &, double kappa, double ratio, double closure) const;
   TMSPH::Surface given_surface(int i) const;
   template <int D> bool take_given_surfaces(const Pairing &, const double *X,

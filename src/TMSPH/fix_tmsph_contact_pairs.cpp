@@ -345,3 +345,30 @@ void FixTMSPHContact::set_stiffness(Pairing &pairing, double kappa, double ratio
   pairing.pair.friction = friction[type[low]][type[high]];
   pairing.pair.horizon = pair->horizon(type[low], type[high]);
 }
+
+/* ----------------------------------------------------------------------
+   pasts of the refitted pairs, from rows as an evaluation fills them
+------------------------------------------------------------------------- */
+
+template <int D> void FixTMSPHContact::keep_energy()
+{
+  using Row = ContactRow<D>;
+  const Kernel kernel = pair->kernel_of_bonds();
+  const auto at = [&](int p) {
+    const double *row = rows.data() + (size_t) width * p;
+    return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
+                         pair->thermal_strain(p)};
+  };
+  for (const Refit &r : refits) {
+    Pairing &p = pairings[r.pairing];
+    const auto low = at(p.low), high = at(p.high);
+    p.now = past_of_refitted(contact_state<D>(r.before, low, high, p.now, kernel, 0.0),
+                             contact_state<D>(p.pair, low, high, {}, kernel, 0.0));
+  }
+  refits.clear();
+}
+
+// for fix_tmsph_contact.cpp
+
+template void FixTMSPHContact::keep_energy<2>();
+template void FixTMSPHContact::keep_energy<3>();
