@@ -1,8 +1,8 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """The heated disc of examples/disc at 1 mm, three draws of the strengths, and the
-expansions exchanged, or the inclusion not bonded. First break against the exact elastic field with the drawn
-strengths, lengths and number of the radial cracks, the circumferential crack, and
-that nothing flies apart or passes through another; one draw also quasi-static. Paths
+expansions exchanged, or the inclusion not bonded. First break against the exact elastic
+field with the drawn strengths, lengths and number of the radial cracks, the circumferential
+crack, and that nothing flies apart or passes through another; one draw also quasi-static. Paths
 depend on the draw: what is tested are temperatures and counts: main cracks by 160 to 180
 degrees, through by 220 to 260.
 
