@@ -139,11 +139,7 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   const Kernel kernel = pair->kernel_of_bonds();
   const bool expands = pair->expands();
   if (!refits.empty()) keep_energy<D>();
-  const auto at = [&](int p) {
-    const double *row = rows.data() + (size_t) width * p;
-    return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
-                         expands ? pair->thermal_strain(p) : 0.0};
-  };
+  const auto at = [=](int p) { return end_at<D>(p, expands); };
   pressing.resize(pairings.size());
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];

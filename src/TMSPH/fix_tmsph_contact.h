@@ -14,6 +14,7 @@ FixStyle(tmsph/contact,FixTMSPHContact);
 #ifndef LMP_FIX_TMSPH_CONTACT_H
 #define LMP_FIX_TMSPH_CONTACT_H
 
+#include "atom.h"
 #include "fix.h"
 #include "pair_tmsph.h"
 #include "tmsph_contact_pair.h"
@@ -247,6 +248,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   template <int D> void fit_pairs();
   void find_refits(const std::vector<Pairing> &before);
   template <int D> void keep_energy();
+  template <int D> TMSPH::ContactEnd<D> end_at(int p, bool expands) const;
   void set_stiffness(Pairing &, double kappa, double ratio, double closure) const;
   TMSPH::Surface given_surface(int i) const;
   template <int D> bool take_given_surfaces(const Pairing &, const double *X,
@@ -283,6 +285,16 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   static int exchange_size(int nrecords, int nmet, int nanchors, int npressed);
   int exchange_size(const Memory &, bool at_most) const;
 };
+
+/** An end of a pair, from the rows that an evaluation sends. */
+template <int D>
+inline TMSPH::ContactEnd<D> FixTMSPHContact::end_at(int p, bool expands) const
+{
+  using Row = TMSPH::ContactRow<D>;
+  const double *row = rows.data() + (size_t) width * p;
+  return {atom->x[p], row + Row::V, row + Row::A, row + Row::H,
+          expands ? pair->thermal_strain(p) : 0.0};
+}
 
 /** Half of a contact, between two points.
     @param sign  1 at the second of them, on which f acts, -1 at the first

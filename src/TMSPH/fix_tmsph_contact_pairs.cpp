@@ -352,16 +352,11 @@ void FixTMSPHContact::set_stiffness(Pairing &pairing, double kappa, double ratio
 
 template <int D> void FixTMSPHContact::keep_energy()
 {
-  using Row = ContactRow<D>;
   const Kernel kernel = pair->kernel_of_bonds();
-  const auto at = [&](int p) {
-    const double *row = rows.data() + (size_t) width * p;
-    return ContactEnd<D>{atom->x[p], row + Row::V, row + Row::A, row + Row::H,
-                         pair->thermal_strain(p)};
-  };
+  const bool expands = pair->expands();
   for (const Refit &r : refits) {
     Pairing &p = pairings[r.pairing];
-    const auto low = at(p.low), high = at(p.high);
+    const auto low = end_at<D>(p.low, expands), high = end_at<D>(p.high, expands);
     p.now = past_of_refitted(contact_state<D>(r.before, low, high, p.now, kernel, 0.0),
                              contact_state<D>(p.pair, low, high, {}, kernel, 0.0));
   }
