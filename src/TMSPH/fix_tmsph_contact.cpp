@@ -327,6 +327,18 @@ const std::vector<PairTMSPH::Contact::Couple> &FixTMSPHContact::couples()
 }
 
 /* ----------------------------------------------------------------------
+   those of evaluate(), and where bonds are tested those of add_stress()
+------------------------------------------------------------------------- */
+
+int FixTMSPHContact::doubles_per_ghost() const
+{
+  const int rows = segments    ? SegmentRow::WIDTH
+      : domain->dimension == 2 ? ContactRow<2>::WIDTH
+                               : ContactRow<3>::WIDTH;
+  return rows + (pair->bonds_may_break() ? pair->stress_size() + 1 : 0);
+}
+
+/* ----------------------------------------------------------------------
    columns first to first+count of all rows, from owners to ghosts
 ------------------------------------------------------------------------- */
 

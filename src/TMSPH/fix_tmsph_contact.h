@@ -88,6 +88,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   unsigned states() const override;
   const std::vector<Couple> &couples() override;
   void add_stress(double *stress) override;
+  int doubles_per_ghost() const override;
   void touches(std::vector<Touch> &) override;
   void rubbings(std::vector<Rubbing> &) override;
 

@@ -62,6 +62,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
     virtual const std::vector<Couple> &couples() = 0;
     /// adds the share of contact to the Cauchy stress rows of local particles
     virtual void add_stress(double *stress) = 0;
+    /// doubles that it sends per ghost and step where surfaces may touch
+    virtual int doubles_per_ghost() const = 0;
 
     /** Two particles that pressed on each other in the last force evaluation. */
     struct Touch {

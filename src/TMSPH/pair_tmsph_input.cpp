@@ -308,6 +308,8 @@ std::string PairTMSPH::features() const
   if (on.hourglass) text += fmt::format(", hourglass {}", hourglass);
   if (on.viscosity) text += fmt::format(", viscosity {} {}", viscosity.alpha1, viscosity.alpha2);
   if (break_test) text += fmt::format(", breaking with {} doubles more per ghost", stress_size());
+  if (contact)
+    text += fmt::format(", contact with {} doubles more per ghost", contact->doubles_per_ghost());
   return text;
 }
 
