@@ -74,8 +74,7 @@ void ComputeTMSPHBondLocal::compute_local()
 {
   invoked_local = update->ntimestep;
   const FixTMSPHBond &bonds = *pair->bonds();
-  if (!bonds.formed())
-    error->all(FLERR, "Compute tmsph/bond/local before the bonds formed: do a run first");
+  bonds.need_layout("Compute tmsph/bond/local");
   values.clear();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;

@@ -60,8 +60,7 @@ void ComputeTMSPHCrack::compute_vector()
 {
   invoked_vector = update->ntimestep;
   FixTMSPHBond *bonds = pair->bonds();
-  if (!bonds->formed())
-    error->all(FLERR, "Compute tmsph/crack before the bonds formed: do a run first");
+  bonds->need_layout("Compute tmsph/crack");
   const bool two = domain->dimension == 2;
   const double cosine = two ? 2.0 / std::acos(-1.0) : 0.5, cosine2 = two ? 0.5 : 1.0 / 3.0;
 

@@ -36,8 +36,7 @@ void ComputeTMSPHDt::init()
 double ComputeTMSPHDt::compute_scalar()
 {
   invoked_scalar = update->ntimestep;
-  if (!pair->bonds()->formed())
-    error->all(FLERR, "Compute tmsph/dt before the bonds formed: do a run first");
+  pair->bonds()->need_layout("Compute tmsph/dt");
   scalar = pair->stable_timestep();
   return scalar;
 }

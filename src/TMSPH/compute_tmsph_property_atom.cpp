@@ -27,8 +27,8 @@ static constexpr const char *GRADIENT_WORDS[9] = {"Fxx", "Fxy", "Fxz", "Fyx", "F
 /* ---------------------------------------------------------------------- */
 
 ComputeTMSPHPropertyAtom::ComputeTMSPHPropertyAtom(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), needs_stress(false), nmax(0), vector(nullptr), array(nullptr),
-    pair(nullptr), breaking(nullptr), gradient(nullptr)
+    Compute(lmp, narg, arg), needs_stress(false), needs_rock(false), nmax(0), vector(nullptr),
+    array(nullptr), pair(nullptr), breaking(nullptr), gradient(nullptr)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "compute tmsph/property/atom", error);
   peratom_flag = 1;
@@ -51,12 +51,24 @@ void ComputeTMSPHPropertyAtom::init()
 {
   pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
   if (!pair) error->all(FLERR, "Compute tmsph/property/atom needs pair style tmsph");
+  find_rock();
+}
+
+/* ----------------------------------------------------------------------
+   the fix may have gone since the last run, or be another
+------------------------------------------------------------------------- */
+
+void ComputeTMSPHPropertyAtom::find_rock()
+{
   const auto fixes = modify->get_fix_by_style("^tmsph/hoekbrown$");
   breaking = fixes.empty() ? nullptr : dynamic_cast<FixTMSPHHoekBrown *>(fixes.front());
-  for (const auto &word : words)
-    if (!breaking && (word == "strength" || word == "load"))
+  for (const auto &word : words) {
+    if (word != "strength" && word != "load") continue;
+    if (!breaking)
       error->all(FLERR, "Word '{}' of compute tmsph/property/atom needs a fix tmsph/hoekbrown",
                  word);
+    needs_rock = true;
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -163,8 +175,9 @@ void ComputeTMSPHPropertyAtom::evaluate_fields()
 void ComputeTMSPHPropertyAtom::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
-  if (!pair->bonds()->formed())
-    error->all(FLERR, "Compute tmsph/property/atom before the bonds formed: do a run first");
+  pair->bonds()->need_layout("Compute tmsph/property/atom");
+  find_rock();
+  if (needs_rock) breaking->find_strengths();
   const int ncols = columns.size();
   if (atom->nmax > nmax) {
     nmax = atom->nmax;

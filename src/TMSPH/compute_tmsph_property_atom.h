@@ -34,6 +34,7 @@ class ComputeTMSPHPropertyAtom : public Compute {
   std::vector<std::string> words;
   std::vector<Column> columns;
   bool needs_stress;    // one of the words is a stress or a deformation gradient
+  bool needs_rock;      // or a strength or a load factor
   int nmax;
   double *vector, **array;
   class PairTMSPH *pair;
@@ -41,6 +42,7 @@ class ComputeTMSPHPropertyAtom : public Compute {
 
   Column column(const std::string &word);
   void make_columns();
+  void find_rock();
 
   // stress and deformation gradient of this call, and the principal stresses
   std::vector<double> full_stress, principal;

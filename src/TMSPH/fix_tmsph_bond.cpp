@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <unordered_map>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -32,11 +31,10 @@ using TMSPH::WIDTH;
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), maxpartner(1),
-    npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr), first_tag(nullptr),
-    lag(nullptr), running(false), horizon(0.0), kappa(0.0),
-    thickness(1.0), period{0.0, 0.0, 0.0},
-    natoms_at_setup(0), version(0), nremoved(0), what_to_send(REFERENCE)
+    Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), laid_out(false),
+    maxpartner(1), npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr),
+    first_tag(nullptr), lag(nullptr), running(false), horizon(0.0), kappa(0.0), thickness(1.0),
+    period{0.0, 0.0, 0.0}, natoms_at_setup(0), version(0), nremoved(0), what_to_send(REFERENCE)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
     error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
@@ -271,64 +269,6 @@ void FixTMSPHBond::check_families() const
 }
 
 /* ----------------------------------------------------------------------
-   particles that came after the others had formed their bonds
-------------------------------------------------------------------------- */
-
-void FixTMSPHBond::refuse_strangers() const
-{
-  int strangers = 0, all;
-  for (int i = 0; i < atom->nlocal; i++) strangers += own_tag[i] == 0;
-  MPI_Allreduce(&strangers, &all, 1, MPI_INT, MPI_SUM, world);
-  if (all)
-    error->all(FLERR,
-               "{} particles were created after the bonds had formed: create all particles before "
-               "the first run, or 'clear' and start anew",
-               all);
-}
-
-/* ----------------------------------------------------------------------
-   reset_atoms id and delete_atoms with compression give particles new ids:
-   follow them, as long as the partners are still within reach. The bonds of
-   deleted particles are forgotten.
-------------------------------------------------------------------------- */
-
-void FixTMSPHBond::follow_ids()
-{
-  const int nlocal = atom->nlocal;
-  int other = 0, all;
-  for (int i = 0; i < nlocal; i++) other += own_tag[i] != atom->tag[i];
-  MPI_Allreduce(&other, &all, 1, MPI_INT, MPI_SUM, world);
-  const bool renamed = all > 0, deleted = atom->natoms < natoms_at_setup;
-  if (!renamed && !deleted) return;
-
-  former_tag.assign(own_tag, own_tag + nlocal);
-  former_tag.resize(nlocal + atom->nghost);
-  what_to_send = TAG;
-  comm->forward_comm(this);
-  what_to_send = REFERENCE;
-  std::unordered_map<tagint, tagint> present;
-  for (size_t i = 0; i < former_tag.size(); i++) present[former_tag[i]] = atom->tag[i];
-  for (int i = 0; i < nlocal; i++) {
-    std::vector<std::pair<tagint, unsigned char>> kept;
-    for (int k = 0; k < npartner[i]; k++) {
-      const auto found = present.find(partner[i][k]);
-      if (found != present.end())
-        kept.emplace_back(found->second, state[i][k]);
-      else if (!renamed && state[i][k] != INTACT)
-        kept.emplace_back(partner[i][k], state[i][k]);    // not deleted, perhaps: out of reach
-    }
-    std::sort(kept.begin(), kept.end());
-    npartner[i] = kept.size();
-    for (int k = 0; k < npartner[i]; k++) {
-      partner[i][k] = kept[k].first;
-      state[i][k] = kept[k].second;
-    }
-    own_tag[i] = atom->tag[i];
-  }
-  former_tag.clear();
-}
-
-/* ----------------------------------------------------------------------
    reference positions in the frame of the present images, ghosts too
 ------------------------------------------------------------------------- */
 
@@ -442,6 +382,7 @@ void FixTMSPHBond::lay_out()
       }
     }
   }
+  laid_out = true;
   version++;
 }
 

@@ -20,6 +20,7 @@ FixStyle(tmsph/bond,FixTMSPHBond);
 #include "tmsph_kernel.h"
 #include "tmsph_sweep.h"
 
+#include <string>
 #include <utility>
 
 namespace LAMMPS_NS {
@@ -78,6 +79,8 @@ class FixTMSPHBond : public Fix {
   int maxsize_restart() override;
 
   bool formed() const { return bonds_formed; }
+  /// an error if the bonds have not formed or particles have changed places since the last run
+  void need_layout(const std::string &who) const;
   /// horizon with which they formed
   double reach() const { return horizon; }
   int count(int i) const { return npartner[i]; }
@@ -133,6 +136,7 @@ class FixTMSPHBond : public Fix {
   TMSPHBondUser *user;
   class NeighList *list;
   bool bonds_formed;
+  bool laid_out;                // no particle has changed its place in the arrays since
   int maxpartner;               // row length of partner and state
   int *npartner;                // bonds of each particle at formation, less those of deleted ones
   tagint **partner;             // ids, ascending

@@ -78,6 +78,7 @@ void FixTMSPHBond::copy_arrays(int i, int j, int /*delflag*/)
   std::copy(partner[i], partner[i] + npartner[i], partner[j]);
   std::copy(state[i], state[i] + npartner[i], state[j]);
   if (lag) std::copy(lag[i], lag[i] + 6, lag[j]);
+  laid_out = false;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -87,6 +88,7 @@ void FixTMSPHBond::set_arrays(int i)
   npartner[i] = 0;
   own_tag[i] = first_tag[i] = 0;
   if (lag) std::fill(lag[i], lag[i] + 6, NAN);
+  laid_out = false;
 }
 
 /* ----------------------------------------------------------------------
@@ -122,6 +124,7 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
   }
   if (lag)
     for (int k = 0; k < 6; k++) lag[nlocal][k] = buf[m++];
+  laid_out = false;
   return m;
 }
 

@@ -56,6 +56,8 @@ FixTMSPHContact::~FixTMSPHContact()
 {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
+  auto user = force ? dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0)) : nullptr;
+  if (user && user->contact_of_surfaces() == this) user->set_contact(nullptr);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -408,6 +408,14 @@ void FixTMSPHHoekBrown::record(const Due &bond)
 
 /* ---------------------------------------------------------------------- */
 
+void FixTMSPHHoekBrown::find_strengths()
+{
+  if (!bonds) error->all(FLERR, "Fix tmsph/hoekbrown {} was not in a run yet: do a 'run 0' first", id);
+  follow_layout();
+}
+
+/* ---------------------------------------------------------------------- */
+
 double FixTMSPHHoekBrown::strength(int i) const
 {
   return strengths[i];
@@ -462,6 +470,9 @@ double FixTMSPHHoekBrown::compute_vector(int n)
 
 double FixTMSPHHoekBrown::largest_load()
 {
+  const std::string who = fmt::format("Output 4 of fix tmsph/hoekbrown {}", id);
+  if (!bonds) error->all(FLERR, "{} before the bonds formed: do a run first", who);
+  bonds->need_layout(who);
   const double *stress = pair->fields().stress;
   follow_layout();
   double mine = 0.0, all;

@@ -54,6 +54,8 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   /// the smallest uniaxial tensile strength of a type, without scatter
   double tensile_strength() const;
 
+  /// strengths of the present particles, for the two below (collective)
+  void find_strengths();
   /// uniaxial compressive strength of particle i, drawn for its id
   double strength(int i) const;
   /// load factor of a stress (xx yy zz xy xz yz) with particle i's strength

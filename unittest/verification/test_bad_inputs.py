@@ -61,6 +61,7 @@ LINE = WALL + "line 0 -9e-3 1 -9e-3 "
 ELASTIC = "pair_coeff 1 1 elastic "
 QUASI = "tmsph/quasistatic "
 MINIMIZE = "\nminimize 0 1e-3 10 100"
+CHANGED = "after particles were created, deleted or displaced|run 0"
 
 # Scene, sections replaced, words that the message must hold in this order; "|" separates them
 
@@ -165,6 +166,20 @@ CASES = [
     (PLATE, dict(more="compute d all tmsph/dt\nvariable d equal c_d", run="print $d"), "run"),
     (PLATE, dict(more="compute b all tmsph/bond/local id1 id2",
                  run="write_dump all local out.local c_b[1]"), "run"),
+    (PLATE, dict(more="compute p all tmsph/property/atom sxx\ncompute m all reduce max c_p",
+                 after="delete_atoms region right\nprint $(c_m)"), "tmsph/property/atom|" + CHANGED),
+    (PLATE, dict(more="compute b all tmsph/bond/local length\ncompute m all reduce max c_b inputs local",
+                 after="delete_atoms region right\nprint $(c_m)"), "tmsph/bond/local|" + CHANGED),
+    (PLATE, dict(more="compute c all tmsph/crack", after="create_atoms 1 random 900 7 box\nprint $(c_c[1])"),
+     "tmsph/crack|" + CHANGED),
+    (PERIODIC, dict(more="compute d all tmsph/dt", after="displace_atoms all move 1e-3 0 0\nprint $(c_d)"),
+     "tmsph/dt|" + CHANGED),
+    (PLATE, dict(run="print $(f_hb[4])"), "Output 4 of fix tmsph/hoekbrown hb|do a run first"),
+    (PLATE, dict(after="delete_atoms region right\nprint $(f_hb[4])"), "tmsph/hoekbrown hb|" + CHANGED),
+    (PLATE, dict(more="compute p all tmsph/property/atom load\ncompute m all reduce max c_p",
+                 after="unfix hb\nprint $(c_m)"), "load|needs a fix tmsph/hoekbrown"),
+    (PLATE, dict(more="compute p all tmsph/property/atom load\ncompute m all reduce max c_p",
+                 after="unfix hb\n" + HB + "\nprint $(c_m)"), "tmsph/hoekbrown hb|not in a run yet|run 0"),
     (PLATE, dict(run="run 0", after="replicate 2 1 1\nrun 0"), "replicate"),
     (PLATE, dict(more="run_style respa 2 2 pair 2"), "respa|verlet"),
     (PLATE, dict(more="fix x all tmsph/bond"), "internal"),

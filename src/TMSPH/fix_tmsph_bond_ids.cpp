@@ -1,0 +1,92 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Are the particles still those of the bonds: new ones, new ids, other places
+   in the arrays.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_bond.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+using namespace LAMMPS_NS;
+
+/* ----------------------------------------------------------------------
+   particles that came after the others had formed their bonds
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_strangers() const
+{
+  bigint strangers = 0, all;
+  for (int i = 0; i < atom->nlocal; i++) strangers += own_tag[i] == 0;
+  MPI_Allreduce(&strangers, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all)
+    error->all(FLERR,
+               "{} particles were created after the bonds had formed: create all particles before "
+               "the first run, or 'clear' and start anew",
+               all);
+}
+
+/* ----------------------------------------------------------------------
+   reset_atoms id and delete_atoms with compression give particles new ids:
+   follow them, as long as the partners are still within reach. The bonds of
+   deleted particles are forgotten.
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::follow_ids()
+{
+  const int nlocal = atom->nlocal;
+  int other = 0, renamed;
+  for (int i = 0; i < nlocal; i++) other |= own_tag[i] != atom->tag[i];
+  MPI_Allreduce(&other, &renamed, 1, MPI_INT, MPI_MAX, world);
+  const bool deleted = atom->natoms < natoms_at_setup;
+  if (!renamed && !deleted) return;
+
+  former_tag.assign(own_tag, own_tag + nlocal);
+  former_tag.resize(nlocal + atom->nghost);
+  what_to_send = TAG;
+  comm->forward_comm(this);
+  what_to_send = REFERENCE;
+  std::unordered_map<tagint, tagint> present;
+  for (size_t i = 0; i < former_tag.size(); i++) present[former_tag[i]] = atom->tag[i];
+  for (int i = 0; i < nlocal; i++) {
+    std::vector<std::pair<tagint, unsigned char>> kept;
+    for (int k = 0; k < npartner[i]; k++) {
+      const auto found = present.find(partner[i][k]);
+      if (found != present.end())
+        kept.emplace_back(found->second, state[i][k]);
+      else if (!renamed && state[i][k] != INTACT)
+        kept.emplace_back(partner[i][k], state[i][k]);    // not deleted, perhaps: out of reach
+    }
+    std::sort(kept.begin(), kept.end());
+    npartner[i] = kept.size();
+    for (int k = 0; k < npartner[i]; k++) {
+      partner[i][k] = kept[k].first;
+      state[i][k] = kept[k].second;
+    }
+    own_tag[i] = atom->tag[i];
+  }
+  former_tag.clear();
+}
+
+/* ----------------------------------------------------------------------
+   what outputs find by local and ghost indices was laid out when ghosts came last;
+   between runs particles may have gone to other places since (collective)
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::need_layout(const std::string &who) const
+{
+  if (!bonds_formed) error->all(FLERR, "{} before the bonds formed: do a run first", who);
+  const int nall = atom->nlocal + atom->nghost;
+  const int mine = !laid_out || xref.size() != 3 * (size_t) nall;
+  int any;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any)
+    error->all(FLERR, "{} after particles were created, deleted or displaced: do a 'run 0' first",
+               who);
+}
