@@ -45,6 +45,15 @@ struct TMSPHBondUser {
   ~TMSPHBondUser() = default;    // never owned through this interface
 };
 
+/** A fix that knows particles by their ids and cannot follow these. */
+struct TMSPHStoresIds {
+  /// true if it has stored any on this processor
+  virtual bool has_ids() const = 0;
+
+ protected:
+  ~TMSPHStoresIds() = default;    // owned as a fix, never through this interface
+};
+
 class FixTMSPHBond : public Fix {
  public:
   static constexpr const char *ID = "TMSPH_BOND";
@@ -165,6 +174,7 @@ class FixTMSPHBond : public Fix {
   void release_list();
   void refuse_strangers() const;
   void follow_ids();
+  void refuse_new_ids() const;
   void send_references();
   void lay_out();
   int find_partner(int, tagint) const;

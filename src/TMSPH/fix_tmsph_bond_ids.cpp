@@ -10,6 +10,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "modify.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -33,6 +34,27 @@ void FixTMSPHBond::refuse_strangers() const
 }
 
 /* ----------------------------------------------------------------------
+   LAMMPS refuses reset_atoms id by itself as long as there are such fixes, but not the
+   compression of ids by delete_atoms
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_new_ids() const
+{
+  for (const auto &fix : modify->get_fix_list()) {
+    const auto other = dynamic_cast<const TMSPHStoresIds *>(fix);
+    if (!other) continue;
+    const int mine = other->has_ids();
+    int any;
+    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+    if (any)
+      error->all(FLERR,
+                 "Particles got new ids since the last run, by which fix {} {} knows what touches: "
+                 "use 'delete_atoms ... compress no'",
+                 fix->style, fix->id);
+  }
+}
+
+/* ----------------------------------------------------------------------
    reset_atoms id and delete_atoms with compression give particles new ids:
    follow them, as long as the partners are still within reach. The bonds of
    deleted particles are forgotten.
@@ -46,6 +68,7 @@ void FixTMSPHBond::follow_ids()
   MPI_Allreduce(&other, &renamed, 1, MPI_INT, MPI_MAX, world);
   const bool deleted = atom->natoms < natoms_at_setup;
   if (!renamed && !deleted) return;
+  if (renamed) refuse_new_ids();
 
   former_tag.assign(own_tag, own_tag + nlocal);
   former_tag.resize(nlocal + atom->nghost);

@@ -113,7 +113,8 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   std::fill(totals, totals + NTOTALS, 0.0);
   totals[WORK] = work;
   energy = 0.0;
-  const bool search_due = update->ntimestep >= next_search || update->dt != search_dt;
+  const bigint now = update->ntimestep;    // which reset_timestep may set back
+  const bool search_due = now >= next_search || now < last_search || update->dt != search_dt;
   const bool facing = segments && segments->any;
   auto &states = std::get<D - 2>(states_of);
   states.resize(pairings.size());

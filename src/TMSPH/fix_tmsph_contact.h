@@ -57,7 +57,7 @@ struct SegmentRow : ContactRow<2> {
 
 namespace LAMMPS_NS {
 
-class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
+class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStoresIds {
  public:
   FixTMSPHContact(class LAMMPS *, int, char **);
   ~FixTMSPHContact() override;
@@ -72,6 +72,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
   double compute_scalar() override;
   double compute_vector(int) override;
   double memory_usage() override;
+  bool has_ids() const override { return !memories.empty(); }
 
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
@@ -230,7 +231,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact {
 
   std::vector<TMSPH::Surface> surfaces;      // of local particles
   int surfaces_version, surfaces_removals;   // of the bonds that they were found from
-  bigint next_search;                        // for particles that meet
+  bigint last_search, next_search;           // for particles that meet
   double search_dt;                          // time step for which that holds
 
   std::vector<double> rows;                  // [nlocal+nghost][width], sent to ghosts

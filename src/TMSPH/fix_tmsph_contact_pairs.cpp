@@ -117,6 +117,13 @@ int FixTMSPHContact::list_members()
       records.back().parted = records.back().parted || j == i;
       where.push_back(j);
     }
+    const auto image_of = [&](tagint id) { return domain->closest_image(i, atom->map(id)); };
+    const auto left_group = [&](const Met &met) {    // whose own memory ends with that
+      const int j = image_of(met.partner);
+      return j >= 0 && !(atom->mask[j] & groupbit);
+    };
+    before.met.erase(std::remove_if(before.met.begin(), before.met.end(), left_group),
+                     before.met.end());
     if (records.empty() && before.met.empty() && !(segments && faces(i, before))) continue;
     Memory &memory = kept[atom->tag[i]];
     memory = std::move(before);
@@ -130,7 +137,7 @@ int FixTMSPHContact::list_members()
         ends.push_back({where[n], -1, atom->tag[i] < memory.records[n].partner,
                         &memory.records[n], nullptr});
     for (Met &met : memory.met) {
-      const int j = domain->closest_image(i, atom->map(met.partner));
+      const int j = image_of(met.partner);
       if (j >= 0) ends.push_back({j, -1, atom->tag[i] < met.partner, nullptr, &met});
     }
     std::sort(ends.begin() + first, ends.end(), [this](const End &a, const End &b) {

@@ -321,5 +321,6 @@ void FixTMSPHContact::plan_search()
   const double way = 4.0 * std::sqrt(fastest) * update->dt;
   const double margin = SEARCH_MARGIN * pair->horizon();
   const int steps = way * LONGEST > margin ? std::max(1, (int) (margin / way)) : LONGEST;
-  next_search = update->ntimestep + (update->whichflag == 2 ? WHILE_MINIMIZING : steps);
+  last_search = update->ntimestep;
+  next_search = last_search + (update->whichflag == 2 ? WHILE_MINIMIZING : steps);
 }

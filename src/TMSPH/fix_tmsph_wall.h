@@ -13,7 +13,7 @@ FixStyle(tmsph/wall,FixTMSPHWall);
 #ifndef LMP_FIX_TMSPH_WALL_H
 #define LMP_FIX_TMSPH_WALL_H
 
-#include "fix.h"
+#include "fix_tmsph_bond.h"
 #include "tmsph_contact_law.h"
 #include "tmsph_rigid_motion.h"
 #include "tmsph_wall_shape.h"
@@ -26,7 +26,7 @@ FixStyle(tmsph/wall,FixTMSPHWall);
 
 namespace LAMMPS_NS {
 
-class FixTMSPHWall : public Fix {
+class FixTMSPHWall : public Fix, public TMSPHStoresIds {
  public:
   FixTMSPHWall(class LAMMPS *, int, char **);
   ~FixTMSPHWall() override;
@@ -40,6 +40,7 @@ class FixTMSPHWall : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
   double memory_usage() override;
+  bool has_ids() const override { return !memories.empty(); }
   int image(int *&, double **&) override;
 
   /// moves a wall over a time to the present step, with its prescribed velocities

@@ -55,6 +55,7 @@ BAD = "fix heat all tmsph/heat "
 SKIN = CONDUCTS + "\n" + HEAT
 TABLE = BAD + "specific/heat * 850 conductivity * table cloud.data k"
 CUT = "tmsph/cut all "
+HOLE = "\nregion hole block INF 1.5e-3 6.5e-3 INF INF INF units box"
 CONTACT = "fix touch all tmsph/contact "
 WALL = "fix wall all tmsph/wall "
 LINE = WALL + "line 0 -9e-3 1 -9e-3 "
@@ -347,6 +348,8 @@ CASES = [
     (PLATE, dict(more=CONTACT + "\nfix pull all addforce 1 0 0"),
      "Fix pull|addforce|after fix tmsph/contact|before"),
     (PLATE, dict(more=CONTACT + "\nreset_atoms id"), "reset_atoms id|storing atom IDs"),
+    (PLATE, dict(more="pair_coeff 1 2 none\n" + CONTACT + HOLE, after="delete_atoms region hole\nrun 1"),
+     "new ids|tmsph/contact touch|compress no"),
     (PLATE, {"pair": "", "coeff": "", "break": "", "more": CONTACT}, "tmsph/contact needs pair style"),
     (PLATE, dict(more=WALL), "tmsph/wall|missing"),
     (PLATE, dict(more=WALL + "circle 0 0 1"), "circle|2-D|line, polyline or arc"),
@@ -387,6 +390,8 @@ CASES = [
     (PLATE, dict(more=LINE + "\nfix pull all addforce 1 0 0"),
      "Fix pull|addforce|after fix tmsph/wall|before"),
     (PLATE, dict(more=LINE + "\nreset_atoms id"), "reset_atoms id|storing atom IDs"),
+    (PLATE, dict(more=WALL + "line 0 -4e-4 1 -4e-4" + HOLE, after="delete_atoms region hole\nrun 1"),
+     "new ids|tmsph/wall wall|compress no"),
     (PLATE, {"pair": "", "coeff": "", "break": "", "more": LINE}, "tmsph/wall needs pair style"),
     (PLATE, {"style": "atom_style atomic", "volume": "mass * 1", "pair": "", "coeff": "", "break": "",
              "more": LINE}, "tmsph/wall|atom_style tmsph"),

@@ -32,6 +32,41 @@ def forget_contact(report):
                 and last.thermo("c_most")[-1] != 0.0, "that of the bonds")
 
 
+def meet_after_reset(report):
+    """Bodies that meet later do so as well if the step is set back in between."""
+    falls = blocks(8.4).add("velocity high set 0 -100 0 units box\nfix touch all tmsph/contact")
+    falls.thermo("step f_touch[2]").add("thermo 500\nrun 5500\nreset_timestep 0\nrun 3500")
+    force = falls.run().thermo("f_touch[2]")
+    # 2 m v in the last 1400 steps is a mean of 9e5
+    report.below("force of bodies that meet after reset_timestep", force.min(), -1e5)
+
+
+def leave_the_group(report):
+    """Particles in contact that met after the first run may leave the group of the contact."""
+    falls = blocks(3.2).add("velocity high set 0 -100 0 units box\ngroup touch union high low\n"
+                            "fix touch touch tmsph/contact")
+    falls.thermo("step f_touch[8]").add("run 3000\nregion some block 0 5e-3 INF INF INF INF units box\n"
+                                        "group touch clear\ngroup touch region some\nrun 10")
+    before, after = (falls_run["f_touch[8]"][-1] for falls_run in falls.run().tables)
+    report.within("pairs that touch after half of them left the group", after, 1, before - 1)
+
+
+def delete_without_new_ids(report):
+    """What touches goes on as if nothing had happened after particles far away were deleted."""
+    press = blocks(0.0).add("fix push high addforce 0 -1e4 0\nfix touch all tmsph/contact friction * * 0.4\n"
+                            "fix wall all tmsph/wall line 0 0 1e-2 0 friction 0.3")
+    press.thermo("step f_touch[2] f_wall[1] f_wall[2]").add(
+        "run 100\nregion hole block 0 1e-3 4e-3 5e-3 INF INF units box\n"
+        "delete_atoms region hole compress no\nrun 0")
+    run = press.run()
+    for name in ("f_touch[2]", "f_wall[1]", "f_wall[2]"):
+        report.true(f"{name} after delete_atoms", run.thermo(name)[-1] == run.thermo(name, 0)[-1],
+                    "as before")
+
+
 report = Report()
 forget_contact(report)
+meet_after_reset(report)
+leave_the_group(report)
+delete_without_new_ids(report)
 report.finish()
