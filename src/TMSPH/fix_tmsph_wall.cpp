@@ -109,6 +109,16 @@ double FixTMSPHWall::speed() const
   return std::sqrt(dot(motion.velocity, motion.velocity)) + std::fabs(motion.spin) * farthest;
 }
 
+/* ----------------------------------------------------------------------
+   in 2-D in the plane of the wall
+------------------------------------------------------------------------- */
+
+TMSPH::Point FixTMSPHWall::position_of(int i) const
+{
+  const double *x = atom->x[i];
+  return {x[0], x[1], domain->dimension == 3 ? x[2] : 0.0};
+}
+
 /* ---------------------------------------------------------------------- */
 
 double FixTMSPHWall::gap_of(int i) const
@@ -139,11 +149,15 @@ void FixTMSPHWall::list_candidates()
   const Point centre = motion.centre();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const Point x = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+    const Point x = position_of(i);
     const Point r = {x[0] - centre[0], x[1] - centre[1], x[2] - centre[2]};
     farthest = std::max(farthest, std::sqrt(dot(r, r)));
     if (shape->distance(motion.to_body(x)) < (1.0 + REACH) * gap_of(i) + skin)
       candidates.push_back(i);
+  }
+  for (auto m = memories.begin(); m != memories.end();) {    // of particles that are gone
+    const int i = atom->map(m->first);
+    m = i < 0 || i >= atom->nlocal ? memories.erase(m) : std::next(m);
   }
 }
 
@@ -161,10 +175,6 @@ void FixTMSPHWall::follow()
   travel += update->dt * std::sqrt(square);
   if (version == pair->bonds()->layout_version() && travel < skin) return;
   list_candidates();
-  for (auto m = memories.begin(); m != memories.end();) {    // of particles that are gone
-    const int i = atom->map(m->first);
-    m = i < 0 || i >= atom->nlocal ? memories.erase(m) : std::next(m);
-  }
 }
 
 /* ----------------------------------------------------------------------
@@ -177,7 +187,7 @@ void FixTMSPHWall::find_touching(double dt)
   touching.clear();
   const double ahead = TMSPH::ahead(law, dt);
   for (int i : candidates) {
-    const Point x = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+    const Point x = position_of(i);
     const Point body = motion.to_body(x);
     const double gap = gap_of(i);
     const auto found = memories.find(atom->tag[i]);
@@ -219,7 +229,7 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
   const double m = atom->rmass[i], k = t.stiffness;
   const double ahead = TMSPH::ahead(law, dt);
   const double q = ahead * ahead * k / m + dragged;
-  const Point x = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+  const Point x = position_of(i);
   const Point wall = motion.velocity_at(x);
 
   double normal[2] = {};
@@ -272,8 +282,8 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
     }
     const Point origin = motion.to_space(anchors[p].point);
 
-    Point slip;
-    for (int a = 0; a < 3; a++) {
+    Point slip = {};
+    for (int a = 0; a < domain->dimension; a++) {
       const double driven = is_free[a] ? load[a].value / mass : 0.0;
       slip[a] = x[a] - origin[a] +
           ahead * (atom->v[i][a] - wall[a] + ahead * ((atom->f[i][a] + force[a]) / m - driven));

@@ -127,6 +127,7 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   void evaluate_inputs();
   void list_candidates();
   void follow();
+  Point position_of(int i) const;
   double gap_of(int i) const;
   double stiffness_of(int i, double penetration, double dt) const;
   void find_touching(double dt);

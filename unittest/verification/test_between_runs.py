@@ -64,9 +64,25 @@ def delete_without_new_ids(report):
                     "as before")
 
 
+def plane(report):
+    """Velocities across the plane of a 2-D scene rub at nothing and change nothing in the plane."""
+    press = blocks(0.0).add("fix touch all tmsph/contact friction * * 0.4\n"
+                            "fix wall all tmsph/wall line 0 1e-5 1e-2 1e-5 friction 0.3")
+    press.add("variable across atom SPEED*x\nset group all vz v_across")
+    press.thermo("step pe f_wall[1] f_wall[2] f_wall[3] f_wall[7]").add("run 100")
+    runs = []
+    for speed in (0, 1e4):
+        scene = Script("\n".join(press.lines).replace("SPEED", str(speed)), press.files)
+        runs.append(scene.run())
+    for name in ("PotEng", "f_wall[1]", "f_wall[2]", "f_wall[3]", "f_wall[7]"):
+        still, moving = (run.thermo(name)[-1] for run in runs)
+        report.true(f"{name} with velocities across the plane", still == moving, "as without")
+
+
 report = Report()
 forget_contact(report)
 meet_after_reset(report)
 leave_the_group(report)
 delete_without_new_ids(report)
+plane(report)
 report.finish()
