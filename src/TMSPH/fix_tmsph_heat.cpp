@@ -68,7 +68,7 @@ void FixTMSPHHeat::init()
   boundaries.clear();
   for (Fix *fix : modify->get_fix_by_style("^tmsph/heat/boundary$"))
     boundaries.push_back(static_cast<FixTMSPHHeatBoundary *>(fix));
-  if (accounts.size() != boundaries.size() + 1) accounts.assign(boundaries.size() + 1, Account());
+  open_accounts();
   for (int type = 1; type <= atom->ntypes; type++) {
     const std::string &name = substances[type].source_variable;
     if (name.empty()) continue;
@@ -229,9 +229,7 @@ void FixTMSPHHeat::prepare(double duration)
   heats = cools = false;
   for (size_t b = 0; b < boundaries.size(); b++) {
     if (boundaries[b]->holds_temperature()) {
-      const double before = content();
       boundaries[b]->hold_temperature();
-      accounts[b].energy += content() - before;
       for (int i = 0; i < nlocal; i++)
         if (atom->mask[i] & boundaries[b]->groupbit) held[i] = b;
     } else
@@ -375,6 +373,42 @@ void FixTMSPHHeat::unpack_forward_comm(int n, int first, double *buf)
   std::copy_n(buf, n, (what_to_send == SHARED ? shared.data() : atom->temperature) + first);
 }
 
+/* ----------------------------------------------------------------------
+   A boundary keeps its account from run to run. Those that are gone leave their energy in
+   the sum. A restart file has them in the order of the fixes.
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::open_accounts()
+{
+  std::vector<Account> opened(boundaries.size() + 1);
+  const bool restarted = account_ids.empty() && accounts.size() == opened.size();
+  for (size_t a = 0; a + 1 < accounts.size(); a++) {
+    size_t b = restarted ? a : 0;
+    while (!restarted && b < boundaries.size() &&
+           !(boundaries[b]->has_account && boundaries[b]->id == account_ids[a]))
+      b++;
+    if (b < boundaries.size())
+      opened[b] = accounts[a];
+    else
+      former_energy += accounts[a].energy;
+  }
+  if (!accounts.empty()) opened.back() = accounts.back();
+  accounts.swap(opened);
+  account_ids.clear();
+  for (auto boundary : boundaries) {
+    boundary->has_account = true;
+    account_ids.emplace_back(boundary->id);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::bring(const FixTMSPHHeatBoundary *boundary, double energy)
+{
+  const auto found = std::find(boundaries.begin(), boundaries.end(), boundary);
+  if (found != boundaries.end()) accounts[found - boundaries.begin()].energy += energy;
+}
+
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHHeat::Account FixTMSPHHeat::account(const FixTMSPHHeatBoundary *boundary) const
@@ -405,7 +439,7 @@ double FixTMSPHHeat::compute_vector(int n)
   if (n == 5) return stable;
   if (n == 6) return covered;
   if (n == 7) return applications;
-  double mine = 0.0, all;
+  double mine = n == 1 ? former_energy : 0.0, all;
   for (int a = 0; a < (int) accounts.size(); a++)
     if ((a == source_account()) == (n > 1))
       mine += n % 2 ? accounts[a].energy : accounts[a].power;

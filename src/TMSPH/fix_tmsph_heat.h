@@ -69,6 +69,10 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   /// of the material of local particle i at its temperature, along a direction of unit length
   double conductivity(int i, const double *direction) const;
   class FixTMSPHBond *bonds_of_body() const { return bonds; }
+  /// energy per mass of local particle i
+  double enthalpy(int i, double temperature) const;
+  /// this processor's share of what a boundary that holds temperatures brought
+  void bring(const class FixTMSPHHeatBoundary *, double energy);
   /// this processor's share
   Account account(const class FixTMSPHHeatBoundary *) const;
 
@@ -130,8 +134,11 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   int comfortable;                 // steps of an advance that kept to its largest change
   bigint applications;             // of the operator, so far
   std::vector<Account> accounts;   // of the boundaries, then of all sources
+  std::vector<std::string> account_ids;    // of the boundaries; none after a restart
+  double former_energy;            // of boundaries that are gone
   int source_account() const { return boundaries.size(); }
 
+  void open_accounts();
   void parse(int, char **);
   int parse_conductivity(int, int, char **, Substance &);
   void find_norms();
@@ -159,7 +166,6 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void euler_step(double duration, std::vector<double> &y);
   void rates(const std::vector<double> &y, std::vector<double> &rate);
   void put_temperatures(const std::vector<double> &y);
-  double enthalpy(int i, double temperature) const;
   double content() const;
   void tell();
 };

@@ -216,9 +216,15 @@ void FixTMSPHHeatBoundary::evaluate()
 void FixTMSPHHeatBoundary::hold_temperature()
 {
   evaluate();
-  double *T = atom->temperature;
-  for (int i = 0; i < atom->nlocal + (values.empty() ? atom->nghost : 0); i++)
-    if (atom->mask[i] & groupbit) T[i] = values.empty() ? value : values[i];
+  double *T = atom->temperature, brought = 0.0;
+  for (int i = 0; i < atom->nlocal + (values.empty() ? atom->nghost : 0); i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double now = values.empty() ? value : values[i];
+    if (heat && i < atom->nlocal && now != T[i])
+      brought += atom->rmass[i] * (heat->enthalpy(i, now) - heat->enthalpy(i, T[i]));
+    T[i] = now;
+  }
+  if (heat) heat->bring(this, brought);
   if (!variable.empty() && input->variable->atomstyle(variable_index)) comm->forward_comm(this);
 }
 

@@ -40,6 +40,7 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock {
   /// what the particles at the surface exchange now; appends (collective)
   void list_exchanges(FixTMSPHHeat &, std::vector<FixTMSPHHeat::Exchange> &);
   int reach(int, double) override;
+  bool has_account = false;    ///< in the books of fix tmsph/heat
 
  private:
   enum Kind { TEMPERATURE, FLUX, CONVECTION, RADIATION } kind;

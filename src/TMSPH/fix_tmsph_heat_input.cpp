@@ -38,7 +38,7 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     gap(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0)), crosses(false),
     friction(false), viscous(false), told(false), version(-1), removals(0), evened(false),
     what_to_send(TEMPERATURE), heats(false), cools(false), stable(0.0), covered(0.0), fastest(0.0),
-    comfortable(MAXSMALLINT / 2), applications(0)
+    comfortable(MAXSMALLINT / 2), applications(0), former_energy(0.0)
 {
   if (!atom->temperature_flag || !atom->vfrac_flag || !atom->rmass_flag)
     error->all(FLERR, "Fix tmsph/heat needs an atom style with temperature, volume and mass: "
@@ -302,8 +302,10 @@ void FixTMSPHHeat::tell()
 
 void FixTMSPHHeat::write_restart(FILE *fp)
 {
-  std::vector<double> list = {covered, (double) applications, fastest,
-                              (double) comfortable, stable, (double) accounts.size()};
+  double former;
+  MPI_Allreduce(&former_energy, &former, 1, MPI_DOUBLE, MPI_SUM, world);
+  std::vector<double> list = {covered, (double) applications, fastest, (double) comfortable,
+                              stable,  former,                (double) accounts.size()};
   for (const Account &a : accounts) {
     double mine[2] = {a.power, a.energy}, all[2];
     MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
@@ -321,14 +323,15 @@ void FixTMSPHHeat::write_restart(FILE *fp)
 
 void FixTMSPHHeat::restart(char *buf)
 {
-  double list[6];
+  double list[7];
   memcpy(list, buf, sizeof(list));
   covered = list[0];
   applications = (bigint) list[1];
   fastest = list[2];
   comfortable = (int) list[3];
   stable = list[4];
-  accounts.assign((size_t) list[5], Account());
+  former_energy = comm->me == 0 ? list[5] : 0.0;
+  accounts.assign((size_t) list[6], Account());
   buf += sizeof(list);
   for (Account &account : accounts) {
     double both[2];

@@ -79,10 +79,60 @@ def plane(report):
         report.true(f"{name} with velocities across the plane", still == moving, "as without")
 
 
+def heated(before, after=""):
+    """A block of which one side may be held; heat alone."""
+    cloud = lattice("square", (8, 8), SPACING)
+    scene = Scene(cloud, [material()]).add(
+        "region side block INF 2.5e-3 INF INF INF INF units box\ngroup side region side\n"
+        "variable T equal 100+step\ntimestep 1e-3")
+    return scene.add(before).add("fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850").add(after)
+
+
+def order_of_boundaries(report):
+    """What a boundary brings does not depend on whether it is defined before fix tmsph/heat."""
+    held = "fix hold side tmsph/heat/boundary temperature v_T place body"
+    for name, scene in (("before", heated(held)), ("after", heated("", held))):
+        scene.thermo("step f_heat f_heat[2] f_hold[2]", 10).add("run 20")
+        run = scene.run()
+        content = run.thermo("f_heat")[-1]    # 0 at temperature 0, at the start
+        for column in ("f_heat[2]", "f_hold[2]"):
+            report.below(f"{column} of a boundary {name} the fix, error of the balance",
+                         abs(run.thermo(column)[-1] - content) / content, 1e-12)
+
+
+def books(report):
+    """Boundaries that come and go between runs have their own accounts, and the sum has all."""
+    scene = heated("", "fix one side tmsph/heat/boundary flux 1e6")
+    columns = "step f_heat f_heat[2] f_heat[4] "
+    scene.thermo(columns + "f_one[2]", 20).add("run 20\nfix two all tmsph/heat/boundary flux 2e6")
+    scene.thermo(columns + "f_one[2] f_two[2]", 20).add(
+        "run 20\nunfix one\nfix one side tmsph/heat/boundary flux -1e6\nrun 20\nwrite_restart r")
+    run = scene.run(keep="r")
+    first, second, third = run.tables
+    scale = third["f_heat"][-1]
+    for number, table in enumerate(run.tables, 1):
+        error = abs(table["f_heat"] - table["f_heat[2]"]).max() / scale
+        report.below(f"balance of run {number}", error, 1e-12)
+    report.true("a boundary keeps its account", second["f_one[2]"][0] == first["f_one[2]"][-1] > 0
+                and third["f_two[2]"][0] == second["f_two[2]"][-1] > 0, "from run to run")
+    report.true("a new one starts with none", second["f_two[2]"][0] == 0 == third["f_one[2]"][0],
+                "of the same id as well")
+    again = Script("read_restart r\nregion side block INF 2.5e-3 INF INF INF INF units box\n"
+                   "fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850\n"
+                   "fix two all tmsph/heat/boundary flux 2e6\n"
+                   "fix one side tmsph/heat/boundary flux -1e6", run.kept)
+    again.add(f"thermo_style custom {columns} f_one[2] f_two[2]\nthermo_modify format float %.17g\nrun 0")
+    restarted = again.run().tables[-1]
+    for name in restarted:
+        report.below(f"{name} after a restart", abs(restarted[name][-1] - third[name][-1]) / scale, 1e-14)
+
+
 report = Report()
 forget_contact(report)
 meet_after_reset(report)
 leave_the_group(report)
 delete_without_new_ids(report)
 plane(report)
+order_of_boundaries(report)
+books(report)
 report.finish()
