@@ -32,7 +32,7 @@ using TMSPH::WIDTH;
 
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), laid_out(false),
-    maxpartner(1), npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr),
+    faced(false), maxpartner(1), npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr),
     first_tag(nullptr), lag(nullptr), running(false), horizon(0.0), kappa(0.0), thickness(1.0),
     period{0.0, 0.0, 0.0}, natoms_at_setup(0), version(0), nremoved(0), what_to_send(REFERENCE)
 {
@@ -163,7 +163,10 @@ void FixTMSPHBond::form()
   const int *periodicity = domain->periodicity;
   horizon = user->horizon();
   type_horizons.assign(atom->ntypes + 1, 0.0);
-  for (int t = 1; t <= atom->ntypes; t++) type_horizons[t] = user->horizon(t, t);
+  for (int t = 1; t <= atom->ntypes; t++) {
+    type_horizons[t] = user->horizon(t, t);
+    for (int u = 1; u < t; u++) faced = faced || user->touching(t, u);
+  }
   if (comm->get_comm_cutoff() < horizon)
     error->all(FLERR,
                "The ghost cutoff {} is shorter than the horizon {} of pair style tmsph: raise it "

@@ -90,6 +90,8 @@ class FixTMSPHBond : public Fix {
   bool formed() const { return bonds_formed; }
   /// an error if the bonds have not formed or particles have changed places since the last run
   void need_layout(const std::string &who) const;
+  /// true if pairs of types without bonds are in the families too
+  bool formed_with_contact() const { return faced; }
   /// horizon with which they formed
   double reach() const { return horizon; }
   int count(int i) const { return npartner[i]; }
@@ -146,6 +148,7 @@ class FixTMSPHBond : public Fix {
   class NeighList *list;
   bool bonds_formed;
   bool laid_out;                // no particle has changed its place in the arrays since
+  bool faced;                   // with pairs of types that may touch, see touching()
   int maxpartner;               // row length of partner and state
   int *npartner;                // bonds of each particle at formation, less those of deleted ones
   tagint **partner;             // ids, ascending

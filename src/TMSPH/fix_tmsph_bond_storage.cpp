@@ -11,12 +11,17 @@
 #include "domain.h"
 #include "error.h"
 #include "memory.h"
+#include "tmsph_restart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
+
+// grows when what restart files hold of this fix changes
+
+static constexpr double RESTART_FORMAT = 2.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -151,11 +156,13 @@ void FixTMSPHBond::write_restart(FILE *fp)
 {
   if (running) keep_velocities();    // those of this step
   if (comm->me) return;
-  std::vector<double> list = {
-      (double) bonds_formed, (double) maxpartner, (double) (lag != nullptr), period[0], period[1],
-      period[2],             kappa,               thickness,             horizon};
-  list.resize(9 + atom->ntypes);
-  for (int t = 1; bonds_formed && t <= atom->ntypes; t++) list[8 + t] = type_horizons[t];
+  std::vector<double> list = {RESTART_FORMAT,          (double) bonds_formed, (double) maxpartner,
+                              (double) (lag != nullptr), (double) faced,        period[0],
+                              period[1],                 period[2],             kappa,
+                              thickness,                 horizon};
+  const size_t first = list.size() - 1;
+  list.resize(first + 1 + atom->ntypes);
+  for (int t = 1; bonds_formed && t <= atom->ntypes; t++) list[first + t] = type_horizons[t];
   const int size = list.size() * sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(list.data(), sizeof(double), list.size(), fp);
@@ -165,16 +172,19 @@ void FixTMSPHBond::write_restart(FILE *fp)
 
 void FixTMSPHBond::restart(char *buf)
 {
-  std::vector<double> list(9 + atom->ntypes);
+  std::vector<double> list(11 + atom->ntypes);
+  memcpy(list.data(), buf, sizeof(double));
+  check_restart_format(error, "pair style tmsph", list[0], RESTART_FORMAT);
   memcpy(list.data(), buf, list.size() * sizeof(double));
-  bonds_formed = list[0] != 0.0;
-  resize_partners((int) list[1]);
-  if (list[2] != 0.0) memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
-  for (int k = 0; k < 3; k++) period[k] = list[3 + k];
-  kappa = list[6];
-  thickness = list[7];
-  horizon = list[8];
-  type_horizons.assign(list.begin() + 8, list.end());
+  bonds_formed = list[1] != 0.0;
+  resize_partners((int) list[2]);
+  if (list[3] != 0.0) memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
+  faced = list[4] != 0.0;
+  for (int k = 0; k < 3; k++) period[k] = list[5 + k];
+  kappa = list[8];
+  thickness = list[9];
+  horizon = list[10];
+  type_horizons.assign(list.begin() + 10, list.end());
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
   natoms_at_setup = atom->natoms;
 }

@@ -14,6 +14,7 @@
 #include "modify.h"
 #include "region.h"
 #include "tmsph_last_force.h"
+#include "tmsph_restart.h"
 #include "update.h"
 
 #include <algorithm>
@@ -23,6 +24,10 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using TMSPH::ContactPast;
 using TMSPH::PairGeometry;
+
+// grows when what restart files hold of this fix changes
+
+static constexpr double RESTART_FORMAT = 2.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -127,6 +132,14 @@ void FixTMSPHContact::init()
     error->all(FLERR, "More than one fix tmsph/contact: give all types in a single one");
   bonds = pair->bonds();
   pair->set_contact(this);
+  bool bodies = false;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = 1; j < i; j++) bodies = bodies || !pair->bonded(i, j);
+  if (bodies && bonds->formed() && !bonds->formed_with_contact() && comm->me == 0)
+    error->warning(FLERR,
+                   "Fix tmsph/contact {} was defined after the first run: bodies that stood against "
+                   "each other there touch from where they are when it finds them; define it before",
+                   id);
   version = surfaces_version = -1;
   regions.clear();
   if (segments && !region_ids.empty())
@@ -284,27 +297,29 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
 void FixTMSPHContact::write_restart(FILE *fp)
 {
   TMSPHLastForce::stamp(atom, memories);
-  double list[NTOTALS + 4];
-  for (int n = 0; n < NTOTALS; n++) list[n] = compute_vector(n);
-  list[NTOTALS] = compute_scalar();
-  list[NTOTALS + 1] = ubuf(next_search).d;
-  list[NTOTALS + 2] = search_dt;
-  list[NTOTALS + 3] = segments && segments->measured;
+  std::vector<double> list = {RESTART_FORMAT, (double) exchange_size(1, 1, 1, 1)};
+  for (int n = 0; n < NTOTALS; n++) list.push_back(compute_vector(n));
+  list.insert(list.end(), {compute_scalar(), ubuf(last_search).d, ubuf(next_search).d, search_dt,
+                           segments && segments->measured ? 1.0 : 0.0});
   if (comm->me) return;
-  const int size = sizeof(list);
+  const int size = list.size() * sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(list, sizeof(double), NTOTALS + 4, fp);
+  fwrite(list.data(), sizeof(double), list.size(), fp);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHContact::restart(char *buf)
 {
-  double list[NTOTALS + 4];
-  memcpy(list, buf, sizeof(list));
-  next_search = (bigint) ubuf(list[NTOTALS + 1]).i;
-  search_dt = list[NTOTALS + 2];
-  if (segments) segments->measured = list[NTOTALS + 3] != 0.0;
+  double format[2], list[NTOTALS + 5];
+  memcpy(format, buf, sizeof(format));
+  check_restart_format(error, "fix tmsph/contact", format[0], RESTART_FORMAT);
+  check_restart_format(error, "fix tmsph/contact", (int) format[1], exchange_size(1, 1, 1, 1));
+  memcpy(list, buf + sizeof(format), sizeof(list));
+  last_search = (bigint) ubuf(list[NTOTALS + 1]).i;
+  next_search = (bigint) ubuf(list[NTOTALS + 2]).i;
+  search_dt = list[NTOTALS + 3];
+  if (segments) segments->measured = list[NTOTALS + 4] != 0.0;
   if (comm->me) return;
   std::copy_n(list, (int) NTOTALS, totals);
   energy = list[NTOTALS];

@@ -15,6 +15,7 @@
 #include "modify.h"
 #include "pair_tmsph.h"
 #include "text_file_reader.h"
+#include "tmsph_restart.h"
 #include "tokenizer.h"
 #include "update.h"
 
@@ -25,6 +26,10 @@
 
 using namespace LAMMPS_NS;
 using TMSPH::PropertyTable;
+
+// grows when what restart files hold of this fix changes
+
+static constexpr double RESTART_FORMAT = 2.0;
 
 // scaled time must leave mechanical waves this many passages while heat crosses the body
 
@@ -304,8 +309,8 @@ void FixTMSPHHeat::write_restart(FILE *fp)
 {
   double former;
   MPI_Allreduce(&former_energy, &former, 1, MPI_DOUBLE, MPI_SUM, world);
-  std::vector<double> list = {covered, (double) applications, fastest, (double) comfortable,
-                              stable,  former,                (double) accounts.size()};
+  std::vector<double> list = {RESTART_FORMAT, covered, (double) applications, fastest,
+                              (double) comfortable, stable, former, (double) accounts.size()};
   for (const Account &a : accounts) {
     double mine[2] = {a.power, a.energy}, all[2];
     MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
@@ -323,15 +328,17 @@ void FixTMSPHHeat::write_restart(FILE *fp)
 
 void FixTMSPHHeat::restart(char *buf)
 {
-  double list[7];
+  double list[8];
+  memcpy(list, buf, sizeof(double));
+  check_restart_format(error, "fix tmsph/heat", list[0], RESTART_FORMAT);
   memcpy(list, buf, sizeof(list));
-  covered = list[0];
-  applications = (bigint) list[1];
-  fastest = list[2];
-  comfortable = (int) list[3];
-  stable = list[4];
-  former_energy = comm->me == 0 ? list[5] : 0.0;
-  accounts.assign((size_t) list[6], Account());
+  covered = list[1];
+  applications = (bigint) list[2];
+  fastest = list[3];
+  comfortable = (int) list[4];
+  stable = list[5];
+  former_energy = comm->me == 0 ? list[6] : 0.0;
+  accounts.assign((size_t) list[7], Account());
   buf += sizeof(list);
   for (Account &account : accounts) {
     double both[2];

@@ -14,6 +14,7 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "tmsph_random.h"
+#include "tmsph_restart.h"
 #include "update.h"
 
 #include <algorithm>
@@ -23,6 +24,10 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using TMSPH::Extremes;
+
+// grows when what restart files hold of this fix changes
+
+static constexpr double RESTART_FORMAT = 2.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -490,20 +495,22 @@ void FixTMSPHHoekBrown::write_restart(FILE *fp)
 {
   const double tension = total(0), shear = total(1);
   if (comm->me) return;
-  const double counts[2] = {tension, shear};
+  const double counts[3] = {RESTART_FORMAT, tension, shear};
   const int size = sizeof(counts);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(counts, sizeof(double), 2, fp);
+  fwrite(counts, sizeof(double), 3, fp);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHHoekBrown::restart(char *buf)
 {
-  double counts[2];
+  double counts[3];
+  memcpy(counts, buf, sizeof(double));
+  check_restart_format(error, "fix tmsph/hoekbrown", counts[0], RESTART_FORMAT);
   memcpy(counts, buf, sizeof(counts));
   for (int mode = 0; mode < 2; mode++)
-    broken[mode] = comm->me == 0 ? (bigint) counts[mode] : 0;
+    broken[mode] = comm->me == 0 ? (bigint) counts[1 + mode] : 0;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -15,6 +15,7 @@
 #include "pair_tmsph.h"
 #include "text_file_reader.h"
 #include "tmsph_last_force.h"
+#include "tmsph_restart.h"
 #include "variable.h"
 
 #include <algorithm>
@@ -24,6 +25,10 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using namespace TMSPH;
+
+// grows when what restart files hold of this fix changes
+
+static constexpr double RESTART_FORMAT = 2.0;
 
 static constexpr double DEGREE = 3.14159265358979323846 / 180.0;
 
@@ -335,7 +340,7 @@ int FixTMSPHWall::unpack_exchange(int nlocal, double *buf)
 void FixTMSPHWall::write_restart(FILE *fp)
 {
   TMSPHLastForce::stamp(atom, memories);
-  std::vector<double> list;
+  std::vector<double> list = {RESTART_FORMAT};
   for (int n = 0; n < NTOTALS; n++) list.push_back(compute_vector(n));
   list.push_back(compute_scalar());
   for (double s : motion.shift) list.push_back(s);
@@ -352,9 +357,11 @@ void FixTMSPHWall::write_restart(FILE *fp)
 
 void FixTMSPHWall::restart(char *buf)
 {
-  double list[NTOTALS + 13];
+  double list[1 + NTOTALS + 13];
+  memcpy(list, buf, sizeof(double));
+  check_restart_format(error, "fix tmsph/wall", list[0], RESTART_FORMAT);
   memcpy(list, buf, sizeof(list));
-  const double *p = list;
+  const double *p = list + 1;
   if (comm->me == 0) {
     std::copy_n(p, (int) NTOTALS, totals);
     energy = p[NTOTALS];

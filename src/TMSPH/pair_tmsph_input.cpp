@@ -15,6 +15,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "tmsph_restart.h"
 #include "update.h"
 
 #include <algorithm>
@@ -24,6 +25,10 @@
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
+
+// grows when what restart files hold of this style changes
+
+static constexpr int RESTART_FORMAT = 2;
 
 /* ---------------------------------------------------------------------- */
 
@@ -354,9 +359,9 @@ void PairTMSPH::write_restart_settings(FILE *fp)
   const double list[8] = {cutoff,           (double) kernel,  (double) plane,
                           (double) thermal_mode, hourglass,   viscosity.alpha1,
                           viscosity.alpha2, (double) dilatation};
-  const int law = (int) on.law;
+  const int format_and_law[2] = {RESTART_FORMAT, (int) on.law};
+  fwrite(format_and_law, sizeof(int), 2, fp);
   fwrite(list, sizeof(double), 8, fp);
-  fwrite(&law, sizeof(int), 1, fp);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -364,13 +369,14 @@ void PairTMSPH::write_restart_settings(FILE *fp)
 void PairTMSPH::read_restart_settings(FILE *fp)
 {
   double list[8];
-  int law;
+  int format_and_law[2];
   if (comm->me == 0) {
+    utils::sfread(FLERR, format_and_law, sizeof(int), 2, fp, nullptr, error);
     utils::sfread(FLERR, list, sizeof(double), 8, fp, nullptr, error);
-    utils::sfread(FLERR, &law, sizeof(int), 1, fp, nullptr, error);
   }
   MPI_Bcast(list, 8, MPI_DOUBLE, 0, world);
-  MPI_Bcast(&law, 1, MPI_INT, 0, world);
+  MPI_Bcast(format_and_law, 2, MPI_INT, 0, world);
+  check_restart_format(error, "pair style tmsph", format_and_law[0], RESTART_FORMAT);
   cutoff = list[0];
   kernel = (Kernel) (int) list[1];
   plane = (Plane) (int) list[2];
@@ -379,7 +385,7 @@ void PairTMSPH::read_restart_settings(FILE *fp)
   viscosity.alpha1 = list[5];
   viscosity.alpha2 = list[6];
   dilatation = (Dilatation) (int) list[7];
-  on.law = (Law) law;
+  on.law = (Law) format_and_law[1];
 }
 
 /* ---------------------------------------------------------------------- */

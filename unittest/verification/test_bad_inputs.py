@@ -3,6 +3,7 @@
 within seconds, and never with a signal."""
 
 import re
+import struct
 
 from tmsph_testing import *
 
@@ -443,10 +444,36 @@ def check(report, scene, changes, words):
     report.true(changed, good, f"{said}, status {run.status}" if not good else said)
 
 
+def other_versions(report):
+    """Restart files whose records have the number of another format, one at a time."""
+    fixes = "\n".join([CONTACT, LINE, CONDUCTS, HB])
+    scene = dict(PLATE, run="run 1\nwrite_restart r", more=fixes)
+    scene["break"] = ""
+    data = Script("\n".join(scene.values())).run(keep="r").kept["r"]
+    format = struct.pack("<d", 2.0)
+    places = [at for at in range(4, len(data) - 8) if data[at:at + 8] == format
+              and struct.unpack("<i", data[at - 4:at])[0] in range(24, 1000, 8)]
+    refused = {}
+    settings = data.index(struct.pack("<iid", 2, 0, 3.015e-3))
+    for at, other in [(settings, struct.pack("<i", 1))] + [(at, struct.pack("<d", 1.0)) for at in places]:
+        file = data[:at] + other + data[at + len(other):]
+        run = Script("read_restart r\n" + fixes + "\nrun 1", {"r": file}).run(may_fail=True)
+        errors = [line for line in run.log.splitlines() if line.startswith("ERROR")]
+        named = re.search("written by another version of (.*): continue with that version", run.log)
+        if len(errors) == 1 and named and 0 < run.status < 128:
+            refused[at] = named[1]
+    for style in ("contact", "wall", "heat", "hoekbrown"):
+        report.true(f"a restart of another version of fix tmsph/{style}",
+                    f"fix tmsph/{style}" in refused.values(), "is refused")
+    report.true("and of pair style tmsph", list(refused.values()).count("pair style tmsph") == 2,
+                "settings and bonds are refused")
+
+
 report = Report()
 works = [Script("\n".join(scene.values())).run() for scene in (PLATE, CUBE, PERIODIC)]
 report.true("the scenes work unchanged", all(run.thermo("Step")[-1] == 10 for run in works),
             "a run of 10 steps")
 for case in CASES:
     check(report, *case)
+other_versions(report)
 report.finish()

@@ -127,12 +127,27 @@ def books(report):
         report.below(f"{name} after a restart", abs(restarted[name][-1] - third[name][-1]) / scale, 1e-14)
 
 
+def late_contact(report):
+    """Bodies have their surfaces from the first run: a contact that comes later is told of it."""
+    late = blocks(0.0).add("run 0\nfix touch all tmsph/contact\nrun 0\nwrite_restart r")
+    first = late.run(keep="r")
+    again = Script("read_restart r\nfix touch all tmsph/contact\nrun 0", first.kept).run()
+    early = blocks(0.0).add("fix touch all tmsph/contact\nrun 0\nwrite_restart r").run(keep="r")
+    well = Script("read_restart r\nfix touch all tmsph/contact\nrun 0", early.kept).run()
+    warning = "touch was defined after the first run"
+    report.true("a contact that comes late is told", warning in first.log and warning in again.log,
+                "after a restart too")
+    report.true("one that comes first is not", warning not in early.log + well.log,
+                "after a restart neither")
+
+
 report = Report()
 forget_contact(report)
 meet_after_reset(report)
 leave_the_group(report)
 delete_without_new_ids(report)
 plane(report)
+late_contact(report)
 order_of_boundaries(report)
 books(report)
 report.finish()
