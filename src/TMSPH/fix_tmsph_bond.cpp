@@ -32,9 +32,10 @@ using TMSPH::WIDTH;
 
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), laid_out(false),
-    faced(false), maxpartner(1), npartner(nullptr), partner(nullptr), state(nullptr), own_tag(nullptr),
-    first_tag(nullptr), lag(nullptr), running(false), horizon(0.0), kappa(0.0), thickness(1.0),
-    period{0.0, 0.0, 0.0}, natoms_at_setup(0), version(0), nremoved(0), what_to_send(REFERENCE)
+    faced(false), maxpartner(1), npartner(nullptr), partner(nullptr), state(nullptr),
+    own_tag(nullptr), first_tag(nullptr), lag(nullptr), running(false), horizon(0.0), kappa(0.0),
+    thickness(1.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0), version(0), nremoved(0),
+    what_to_send(REFERENCE)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
     error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
@@ -172,6 +173,10 @@ void FixTMSPHBond::form()
                "The ghost cutoff {} is shorter than the horizon {} of pair style tmsph: raise it "
                "with comm_modify cutoff",
                comm->get_comm_cutoff(), horizon);
+  if (neighbor->exclude)
+    error->all(FLERR,
+               "Neigh_modify exclude would leave out bonds of pair style tmsph: remove it before "
+               "the first run; types without bonds between them have 'pair_coeff I J none'");
   for (int k = 0; k < 3; k++) {
     period[k] = periodicity[k] && k < domain->dimension ? domain->prd[k] : 0.0;
     if (period[k] > 0.0 && period[k] < 2.0 * horizon)

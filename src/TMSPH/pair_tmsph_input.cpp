@@ -264,6 +264,16 @@ void PairTMSPH::init_style()
   bool expands = false;
   for (int i = 1; i <= atom->ntypes; i++) {
     Material &m = materials[i];
+    if (!setflag[i][i])    // of a hybrid, whose other styles know nothing of bonds
+      error->all(FLERR,
+                 "Type {} has no material: give it one with 'pair_coeff {} {} elastic E nu density "
+                 "rho'",
+                 i, i, i);
+    if (m.horizon > cutoff)
+      error->all(FLERR,
+                 "Horizon {} of type {} in pair_coeff is above that of pair_style tmsph, {}: give "
+                 "the largest there",
+                 m.horizon, i, cutoff);
     m.elastic = elastic_constants(domain->dimension, plane, m.young, m.poisson, m.expansion);
     expands = expands || m.expansion != 0.0;
   }
@@ -287,14 +297,8 @@ void PairTMSPH::init_style()
 
 /* ---------------------------------------------------------------------- */
 
-double PairTMSPH::init_one(int i, int j)
+double PairTMSPH::init_one(int /*i*/, int /*j*/)
 {
-  for (int type : {i, j})
-    if (!setflag[type][type])
-      error->all(FLERR,
-                 "Type {} has no material: give it one with 'pair_coeff {} {} elastic E nu density "
-                 "rho'",
-                 type, type, type);
   return cutoff;
 }
 

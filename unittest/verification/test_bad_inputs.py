@@ -121,6 +121,12 @@ CASES = [
     (PLATE, dict(more=ELASTIC + "40e9 0.3 density 2700 horizon 1"), "Horizon 1|not above|pair_style"),
     (PLATE, dict(after=ELASTIC + "40e9 0.3 density 2700 horizon 2.5e-3\nrun 1"),
      "Horizon 0.0025|type 1|have formed|clear"),
+    (PLATE, dict(coeff="pair_coeff * * elastic 40e9 0.3 density 2700 horizon 3e-3\npair_style tmsph 2.5e-3"),
+     "Horizon 0.003 of type 1|above|pair_style tmsph, 0.0025|largest"),
+    (PLATE, dict(pair="pair_style hybrid tmsph 3.015e-3 zero 3e-3", coeff="pair_coeff 2 2 zero\n"
+                 "pair_coeff 1 2 zero\npair_coeff 1 1 tmsph elastic 40e9 0.3 density 2700"),
+     "Type 2 has no material|pair_coeff 2 2 elastic"),
+    (PLATE, dict(more="neigh_modify exclude type 1 2"), "exclude|bonds|remove it|pair_coeff I J none"),
     (PLATE, dict(more="pair_coeff 1 2 bonded 5"), "5|bonded|remove"),
     (PLATE, dict(style="atom_style atomic", volume="mass * 1"), "atom_style tmsph|atomic"),
     (PLATE, dict(style="atom_style tmsph 3"), "atom_style"),
