@@ -1,5 +1,7 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Which bonds break, and what is told of it. The criterion is in tmsph_hoekbrown.h.
 ------------------------------------------------------------------------- */
 
 #include "fix_tmsph_hoekbrown.h"
@@ -14,115 +16,14 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "tmsph_random.h"
-#include "tmsph_restart.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using TMSPH::Extremes;
-
-// grows when what restart files hold of this fix changes
-
-static constexpr double RESTART_FORMAT = 2.0;
-
-/* ---------------------------------------------------------------------- */
-
-FixTMSPHHoekBrown::FixTMSPHHoekBrown(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), list(nullptr), debris(lmp),
-    rocks(atom->ntypes + 1), all_principals(false), one_rock(true), armed(false), version(-1),
-    broken{0, 0}, broken_now(0), relative(0.0)
-{
-  scalar_flag = vector_flag = local_flag = 1;
-  size_vector = 5;
-  global_freq = 1;
-  extscalar = extvector = 0;
-  size_local_rows = 0;
-  size_local_cols = 13;
-  local_freq = 1;
-  restart_global = 1;
-  comm_forward = 2;
-  parse(narg, arg);
-}
-
-/* ----------------------------------------------------------------------
-   keywords: strength mi gsi disturbance TYPES value, weibull TYPES omega seed,
-   principal inplane|all
-------------------------------------------------------------------------- */
-
-void FixTMSPHHoekBrown::parse(int narg, char **arg)
-{
-  if (igroup != 0)
-    error->all(FLERR, "Fix tmsph/hoekbrown works on all particles: use group all and give each "
-                      "type its rock");
-  for (int iarg = 3; iarg < narg;) {
-    const std::string word = arg[iarg];
-    if (word == "principal") {
-      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix tmsph/hoekbrown principal", error);
-      if (strcmp(arg[iarg + 1], "all") != 0 && strcmp(arg[iarg + 1], "inplane") != 0)
-        error->all(FLERR, "Unknown value '{}' of fix tmsph/hoekbrown principal: use inplane or all",
-                   arg[iarg + 1]);
-      all_principals = strcmp(arg[iarg + 1], "all") == 0;
-      iarg += 2;
-      continue;
-    }
-    const bool weibull = word == "weibull";
-    if (!weibull && word != "strength" && word != "mi" && word != "gsi" && word != "disturbance")
-      error->all(FLERR,
-                 "Unknown keyword '{}' of fix tmsph/hoekbrown: use strength, mi, gsi, disturbance, "
-                 "weibull or principal",
-                 word);
-    const int words = weibull ? 4 : 3;
-    if (iarg + words > narg)
-      utils::missing_cmd_args(FLERR, "fix tmsph/hoekbrown " + word, error);
-    int lo, hi;
-    utils::bounds(FLERR, arg[iarg + 1], 1, atom->ntypes, lo, hi, error);
-    const double value = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
-    const auto reject = [&](const char *rule) {
-      error->all(FLERR, "Fix tmsph/hoekbrown {} {} is out of range: {}", word, arg[iarg + 2], rule);
-    };
-    if (word == "strength" && value <= 0.0)
-      reject("the uniaxial compressive strength must be positive");
-    if (word == "mi" && value <= 0.0) reject("it must be positive; 4 to 33 is usual");
-    if (word == "gsi" && (value <= 0.0 || value > 100.0))
-      reject("it must be above 0 and at most 100 (intact rock)");
-    if (word == "disturbance" && (value < 0.0 || value > 1.0)) reject("it must lie in 0 to 1");
-    // (-ln U)^(1/omega) and its square must be numbers for all U of double precision
-    if (weibull && value < 0.1) reject("the Weibull modulus must be at least 0.1; 10 is usual");
-    int seed = 0;
-    if (weibull) {
-      seed = utils::inumeric(FLERR, arg[iarg + 3], false, lmp);
-      if (seed <= 0)
-        error->all(FLERR, "Fix tmsph/hoekbrown weibull seed {} must be a positive integer",
-                   arg[iarg + 3]);
-    }
-    for (int type = lo; type <= hi; type++) {
-      Rock &rock = rocks[type];
-      if (word == "strength") rock.strength = value;
-      if (word == "mi") rock.mi = value;
-      if (word == "gsi") rock.gsi = value;
-      if (word == "disturbance") rock.disturbance = value;
-      if (weibull) {
-        rock.modulus = value;
-        rock.seed = seed;
-      }
-    }
-    iarg += words;
-  }
-  for (int type = 1; type <= atom->ntypes; type++) {
-    Rock &rock = rocks[type];
-    for (const auto &[name, value] : {std::make_pair("strength", rock.strength),
-                                      std::make_pair("mi", rock.mi)})
-      if (value == 0.0)
-        error->all(FLERR, "Fix tmsph/hoekbrown lacks the {} of type {}: add '{} {} value'", name,
-                   type, name, type);
-    rock.constants = TMSPH::hoek_brown(rock.mi, rock.gsi, rock.disturbance);
-    one_rock = one_rock && rock.constants == rocks[1].constants;
-  }
-}
 
 /* ---------------------------------------------------------------------- */
 
@@ -355,6 +256,7 @@ void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touc
     if (list) debris.add(i, j, *bonds);
     if (touched.empty() || touched.back() != i) touched.push_back(i);
   }
+  if (events.size() > event_rows.size()) list_events();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -405,8 +307,17 @@ void FixTMSPHHoekBrown::record(const Due &bond)
   *c++ = pair->bond_energy(i, bond.k, bond.stress);
   *c++ = 0.5 * (atom->temperature[i] + atom->temperature[j]);
   events.push_back(event);
-  event_rows.clear();
-  for (auto &row : events) event_rows.push_back(row.column);
+}
+
+/* ----------------------------------------------------------------------
+   the table as LAMMPS takes it; rows that are known stay unless the events have moved
+------------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::list_events()
+{
+  if (!event_rows.empty() && event_rows[0] != events[0].column) event_rows.clear();
+  while (event_rows.size() < events.size())
+    event_rows.push_back(events[event_rows.size()].column);
   array_local = event_rows.data();
   size_local_rows = events.size();
 }
@@ -415,7 +326,8 @@ void FixTMSPHHoekBrown::record(const Due &bond)
 
 void FixTMSPHHoekBrown::find_strengths()
 {
-  if (!bonds) error->all(FLERR, "Fix tmsph/hoekbrown {} was not in a run yet: do a 'run 0' first", id);
+  if (!bonds)
+    error->all(FLERR, "Fix tmsph/hoekbrown {} was not in a run yet: do a 'run 0' first", id);
   follow_layout();
 }
 
@@ -487,36 +399,4 @@ double FixTMSPHHoekBrown::largest_load()
                                        strengths[i], rocks[atom->type[i]].constants));
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return all;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHHoekBrown::write_restart(FILE *fp)
-{
-  const double tension = total(0), shear = total(1);
-  if (comm->me) return;
-  const double counts[3] = {RESTART_FORMAT, tension, shear};
-  const int size = sizeof(counts);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(counts, sizeof(double), 3, fp);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHHoekBrown::restart(char *buf)
-{
-  double counts[3];
-  memcpy(counts, buf, sizeof(double));
-  check_restart_format(error, "fix tmsph/hoekbrown", counts[0], RESTART_FORMAT);
-  memcpy(counts, buf, sizeof(counts));
-  for (int mode = 0; mode < 2; mode++)
-    broken[mode] = comm->me == 0 ? (bigint) counts[1 + mode] : 0;
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixTMSPHHoekBrown::memory_usage()
-{
-  return strengths.capacity() * sizeof(double) + beyond.capacity() +
-      events.capacity() * (sizeof(Event) + sizeof(double *)) + due_bonds.capacity() * sizeof(Due);
 }

@@ -104,6 +104,7 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   void find_due(const double *stress);
   void keep_most_loaded();
   void record(const Due &);
+  void list_events();
   double largest_load();
   bigint total(int mode);
 };
