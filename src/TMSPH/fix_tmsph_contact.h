@@ -127,12 +127,12 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStore
     std::vector<Anchor> anchors;                     // of the segments that it touches
     double apart = 0.0;    // from the other body's outline in the reference; 0: not within reach
     std::vector<Pressed> pressed;                    // ascending partners; only for heat
-    double rubbed = 0.0;                             // only for heat: work of friction not yet taken
+    double rubbed = 0.0;                             // only for heat: friction's work not yet taken
   };
   /** Two particles, at least one of them local, computed once. */
   struct Pairing {
     int low, high;        // by id
-    int kind;             // 0: bodies that are not bonded, 1: faces of a crack or a cut, 2: met later
+    int kind;             // 0: bodies without bonds, 1: faces of a crack or a cut, 2: met later
     TMSPH::ContactPast *past;    // of the record of a local end
     TMSPH::ContactPast *copy;    // of the other one if it is local too, or nullptr
     TMSPH::ContactPast now;      // the same, ahead of the records: see write_back()

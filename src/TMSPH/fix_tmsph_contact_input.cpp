@@ -36,7 +36,8 @@ FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
     law(TMSPH::ContactLaw::IMPLICIT), stiffness(1.0),
     records_behind(false), any_pairs(false), resumed(false), version(-1), removals(0),
     distance_checked(false), sides_checked(false), surfaces_version(-1), surfaces_removals(0),
-    last_search(0), next_search(0), search_dt(0.0), width(0), sent_first(0), sent_count(0), totals{}, energy(0.0)
+    last_search(0), next_search(0), search_dt(0.0), width(0), sent_first(0), sent_count(0),
+    totals{}, energy(0.0)
 {
   friction.assign(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0));
   parse(narg, arg);
@@ -137,8 +138,9 @@ void FixTMSPHContact::init()
     for (int j = 1; j < i; j++) bodies = bodies || !pair->bonded(i, j);
   if (bodies && bonds->formed() && !bonds->formed_with_contact() && comm->me == 0)
     error->warning(FLERR,
-                   "Fix tmsph/contact {} was defined after the first run: bodies that stood against "
-                   "each other there touch from where they are when it finds them; define it before",
+                   "Fix tmsph/contact {} was defined after the first run: bodies that stood "
+                   "against each other there touch from where they are when it finds them; define "
+                   "it before",
                    id);
   version = surfaces_version = -1;
   regions.clear();

@@ -141,7 +141,7 @@ int FixTMSPHHeat::advance(int most, double largest_change)
   const std::vector<double> before(T, T + atom->nlocal);
   const std::vector<Account> accounts_before(accounts);
   std::vector<double> y;
-  int steps = std::min(most, 2 * comfortable);
+  int steps = comfortable > most / 2 ? most : 2 * comfortable;
   if (friction) collect_friction();
   for (;;) {
     const double duration = steps * time_scale * update->dt;
@@ -247,8 +247,8 @@ void FixTMSPHHeat::prepare(double duration)
   bridges.clear();
   if (crosses) find_bridges();
 
-  // Gershgorin: lambda_max <= 2 max (sum of conductances/capacity). Up to 2/lambda_max explicit Euler
-  // takes means of temperatures with positive weights
+  // Gershgorin: lambda_max <= 2 max (sum of conductances/capacity). Up to 2/lambda_max explicit
+  // Euler takes means of temperatures with positive weights
 
   std::vector<double> all(sums);
   for (const Exchange &e : exchanges) all[e.i] += e.conductance;

@@ -49,7 +49,7 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock {
   double value;             // temperature or flux in force
   double coefficient;       // film coefficient, or emissivity times Stefan's constant
   double absolute_zero;     // of the temperature scale
-  std::string variable;     // name of the equal- or atom-style variable that gives the value, or empty
+  std::string variable;     // name of that of equal or atom style that gives the value, or empty
   int variable_index;
   std::vector<double> values;    // of local particles, of an atom-style variable
 

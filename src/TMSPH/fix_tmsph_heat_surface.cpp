@@ -126,8 +126,8 @@ std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::surface(bool cracks)
     least = FAR_MORE * noise;
   }
 
-  // the normal from the pulls of the neighborhood, summed up in two passes: it scatters by less than
-  // a hundredth then
+  // the normal from the pulls of the neighborhood, summed up in two passes: it scatters by less
+  // than a hundredth then
 
   std::vector<double> smooth[3], sums[3];
   for (int k = 0; k < 3; k++)

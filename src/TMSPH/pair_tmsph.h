@@ -77,8 +77,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
       double work;
     };
     /** By ascending i, then by the partners' ids; a pair of two local particles comes twice. Only
-        if heat crosses contacts, see heat_crosses_contacts(). Both survive exchanges and restarts, and
-        are collective calls. */
+        if heat crosses contacts, see heat_crosses_contacts(). Both survive exchanges and restarts,
+        and are collective calls. */
     virtual void touches(std::vector<Touch> &) = 0;
     virtual void rubbings(std::vector<Rubbing> &) = 0;
 

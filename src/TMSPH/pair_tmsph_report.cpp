@@ -20,8 +20,8 @@
 
 using namespace LAMMPS_NS;
 
-// while bonds break the stable step falls: to 0.44 of the intact one with half of them or 80 percent
-// gone, to 0.3 with 90 percent (unittest/stability/timestep.py)
+// while bonds break the stable step falls: to 0.44 of the intact one with half of them or 80
+// percent gone, to 0.3 with 90 percent (unittest/stability/timestep.py)
 
 static constexpr double FRACTURE_MARGIN = 0.4;
 

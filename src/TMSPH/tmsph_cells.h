@@ -64,7 +64,8 @@ class Cells {
   std::vector<std::pair<std::int64_t, int>> entries;    // ascending cells
 
   /* Points far below the members have nobody near and are in cell -2; those that are LAST cells or
-     more above the lowest member share one, so that keys fit in 64 bits. NaN counts as far below. */
+     more above the lowest member share one, so that keys fit in 64 bits. NaN counts as far
+     below. */
   static constexpr std::int64_t LAST = std::int64_t(1) << 20;
   std::int64_t cell(double x, int a) const
   {

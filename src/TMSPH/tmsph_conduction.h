@@ -6,10 +6,11 @@
    rho c V_i dT_i/dt = sum_j G_ij (T_j - T_i), with W_ij = V_i V_j w_ij and e
    the unit vector of the bond,
      G_ij = (c_i + c_j) W_ij h(k_i(e), k_j(e)),   c = D/sum_j V_j w R^2,
-   h the harmonic mean, two half bonds in series, or, across an interface of two materials, both parts
-   in series in proportion to the depths below it. A linear field on a regular
-   lattice then has the exact flux. Cleary and Monaghan, J. Comput. Phys. 148
-   (1999) 227, have the pair form; c and what follows are of this package.
+   h the harmonic mean, two half bonds in series, or, across an interface of
+   two materials, both parts in series in proportion to the depths below it. A
+   linear field on a regular lattice then has the exact flux. Cleary and
+   Monaghan, J. Comput. Phys. 148 (1999) 227, have the pair form; c and what
+   follows are of this package.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_TMSPH_CONDUCTION_H
@@ -60,8 +61,8 @@ template <int D> class DirectionalConductivity {
   double factor = 1.0;
 };
 
-/** A surface is some way outside the centres of the particles that carry its area A: the exchange of
-    a particle d below it with what is outside.
+/** A surface is some way outside the centres of the particles that carry its area A: the exchange
+    of a particle d below it with what is outside.
     @return conductance g of the power g (T_outside - T_i) */
 inline double surface_conductance(double conductivity, double area, double depth)
 {

@@ -110,13 +110,14 @@ inline void implicit_corner(double stiffness, double q, double cosine, const dou
   force[1 - k] = 0.0;
 }
 
-/** Coulomb friction with an elastic stick, implicit like implicit_normal. The slip s is measured from
-    an anchor where the contact carries no tangential force.
+/** Coulomb friction with an elastic stick, implicit like implicit_normal. The slip s is measured
+    from an anchor where the contact carries no tangential force.
       |k s/(1 + q)| <= limit: stick, F = k s/(1 + q);  else F = limit s/|s|.
     @param q         k dt^2/m_eff with the tangential stiffness
     @param limit     friction coefficient times normal force
     @param predicted slip at the end of the step without friction, N components
-    @param force     what resists the slip: acts against +predicted on the one that slips, N components
+    @param force     what resists the slip: acts against +predicted on the one that slips,
+                     N components
     @param excess    by how much the anchor moves along, so that the law gives just this force for
                      the same prediction: (1 + q) F/k is the slip that is left; N components
     @return true if the contact slides */

@@ -28,9 +28,9 @@ template <int D> constexpr double SHEAR_CLOSURE = D == 2 ? 0.69 : 0.67;
 
 /** Where the surfaces of a pair are. */
 struct PairGeometry {
-  double normal_low[3], normal_high[3];    ///< reference normals of the ends, both from low to high;
-                                           ///< 0 of a loose particle, which has no surface
-  double distance;         ///< D, of the two particles along the normal when the surfaces just touch
+  /// reference normals of the ends, both from low to high; 0 of a loose particle: no surface
+  double normal_low[3], normal_high[3];
+  double distance;         ///< D, of both particles along the normal when the surfaces just touch
   double share;            ///< depth of the low end below its surface/sum of both depths
 };
 
@@ -45,7 +45,7 @@ struct ContactPair : PairGeometry {
 
 /** What a pair remembers of its past. */
 struct ContactPast {
-  double moved[2];         ///< tangential coordinates where friction is zero, less those of the origin
+  double moved[2];         ///< tangential coordinates where friction is zero, less the origin's
   double worn;             ///< overlap of the surfaces that takes no force
 };
 

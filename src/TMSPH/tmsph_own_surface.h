@@ -111,8 +111,9 @@ template <int D> class OwnSurface {
   // particles in a row differ in height by less than this share of the spacing
 
   static constexpr double SAME_ROW = 1.0e-4;
-  // length of the sum of all weighted bonds/sum of their lengths that a surface has at least: of the
-  // second row below a flat one it is 0.06 in 2-D, 0.04 in 3-D; the third has none
+
+  // length of the sum of all weighted bonds/sum of their lengths that a surface has at least: of
+  // the second row below a flat one it is 0.06 in 2-D, 0.04 in 3-D; the third has none
 
   static constexpr double ONE_SIDED = 0.03;
   std::vector<double> ends;

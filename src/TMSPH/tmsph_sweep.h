@@ -137,10 +137,10 @@ template <int D>
 void force_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
                  const double *kinematic, const double *force_row, double *f, int stride = 3);
 
-/** Adds each particle's half of -sum x_ij f_ij (xx yy zz xy xz yz) to virial[particle][6], where that
-    is not nullptr, and all of them to total[6], where that is not. A sweep of its own: were it done
-    along with the forces, the compiler would round those differently, and a run that asks for the
-    pressure would not be the same to the last bit as one that does not. */
+/** Adds each particle's half of -sum x_ij f_ij (xx yy zz xy xz yz) to virial[particle][6], where
+    that is not nullptr, and all of them to total[6], where that is not. A sweep of its own: were it
+    done along with the forces, the compiler would round those differently, and a run that asks for
+    the pressure would not be the same to the last bit as one that does not. */
 template <int D>
 void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
                   const double *kinematic, const double *force_row, double *virial,
@@ -152,7 +152,8 @@ template <int D>
 void viscous_heat_sweep(const Features &on, const Slices &bonds, const Viscosity &viscosity,
                         const double *kinematic, const double *force_row, double *power);
 
-/** Elastic and hourglass energy of each particle, written to energy[particle] if that is not nullptr.
+/** Elastic and hourglass energy of each particle, written to energy[particle] if that is not
+    nullptr.
     @return the sum over all particles */
 template <int D>
 double energy_sweep(const Features &on, const Slices &bonds, const double *kinematic,
