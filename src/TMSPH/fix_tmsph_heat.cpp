@@ -111,7 +111,7 @@ void FixTMSPHHeat::pre_force(int /*vflag*/)
 }
 
 /* ----------------------------------------------------------------------
-   what viscosity took in this step; ghosts learn of it before the next forces
+   what viscosity took in this step; ghosts learn of it for the stresses of outputs
 ------------------------------------------------------------------------- */
 
 void FixTMSPHHeat::end_of_step()
@@ -127,6 +127,7 @@ void FixTMSPHHeat::end_of_step()
                                                                   energy / atom->rmass[i]);
   }
   accounts[source_account()].energy += sum;
+  comm->forward_comm(this);
 }
 
 /* ----------------------------------------------------------------------

@@ -95,8 +95,24 @@ def compare(report, what, body):
         same(body.ending(body.fixes(scene), [n - middle]).run(ranks), f"continued on {ranks}")
 
 
+def viscous_heat(report):
+    """Of a body in motion heated by its viscosity: stresses as well are the same at the end of a step."""
+    cloud = lattice("hex", (12, 7), SPACING)
+    scene = Scene(cloud, [ROCKS[0]], "viscosity 1 2")
+    scene.add("variable fast atom 50*sin(x*1e3)\nset group all vx v_fast\nfix move all nve\n"
+              "fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850 viscous yes\n"
+              f"compute p all tmsph/property/atom sxx syy temperature\ntimestep {0.2 * SPACING / 4465:.17g}\nrun 10")
+    scene.dump("end", "vx fx c_p[*]", 5).add("run 10")
+    alone, both = scene.run(), scene.run(ranks=2)
+    names = "vx fx c_p[1] c_p[2] c_p[3]"
+    differ = np.count_nonzero(alone.frame("end")(names) != both.frame("end")(names))
+    report.above("viscous: warmest particle", alone.frame("end")["c_p[3]"].max(), 1e-6)
+    report.below("viscous, 2 ranks: values that differ", differ, 1)
+
+
 report = Report()
 compare(report, "2-D, tables, jittered", Body(2, "conductivity * table rock.table k", 0.15))
 compare(report, "2-D, orthotropic", Body(2, "conductivity 1 orthotropic 3.0 1.0 25 conductivity 2 2.0"))
 compare(report, "3-D", Body(3, "conductivity 1 orthotropic 3.0 1.0 2.0 1 1 0 35 conductivity 2 2.0"))
+viscous_heat(report)
 report.finish()
