@@ -139,7 +139,7 @@ void TMSPHQuasistatic::check_fixes()
                    "motion for it: prescribe its velocity, or use run", fix->id);
       walls.push_back(wall);
     }
-    if (fix->box_change)
+    if (fix->box_change & ~Fix::BOX_CHANGE_DOMAIN)
       error->all(FLERR, "Fix {} of style {} changes the box: tmsph/quasistatic cannot follow it",
                  fix->id, fix->style);
     if (!ours && !fix->time_integrate && (mask & FixConst::POST_FORCE) &&

@@ -141,6 +141,13 @@ def late_contact(report):
                 "after a restart neither")
 
 
+def balanced(report):
+    """fix balance moves particles between processors, not the box: quasi-static steps leave it alone."""
+    scene = heated("").add("unfix heat\nfix ramp all tmsph/heat/boundary temperature v_T\n"
+                           "fix even all balance 10 1.05 shift xy 5 1.05\ntmsph/quasistatic 2")
+    report.true("tmsph/quasistatic with fix balance", not scene.run(may_fail=True).failed, "runs")
+
+
 report = Report()
 forget_contact(report)
 meet_after_reset(report)
@@ -148,6 +155,7 @@ leave_the_group(report)
 delete_without_new_ids(report)
 plane(report)
 late_contact(report)
+balanced(report)
 order_of_boundaries(report)
 books(report)
 report.finish()
