@@ -33,7 +33,7 @@ using TMSPH::WIDTH;
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), laid_out(false),
     faced(false), maxpartner(1), npartner(nullptr), partner(nullptr), state(nullptr),
-    own_tag(nullptr), first_tag(nullptr), lag(nullptr), running(false), horizon(0.0), kappa(0.0),
+    own_tag(nullptr), first_tag(nullptr), lag(nullptr), horizon(0.0), kappa(0.0),
     thickness(1.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0), version(0), nremoved(0),
     what_to_send(REFERENCE)
 {
@@ -134,7 +134,6 @@ void FixTMSPHBond::setup(int /*vflag*/)
 {
   user->run_begins();
   memory->destroy(lag);
-  running = true;
 }
 
 /* ---------------------------------------------------------------------- */

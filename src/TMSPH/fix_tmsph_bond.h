@@ -159,7 +159,6 @@ class FixTMSPHBond : public Fix {
   // full step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2],
   // and the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
   double **lag;                 // with viscosity, from the end of a run to the next setup
-  bool running;                 // between a setup and the end of its run
   double horizon;               // with which the bonds formed, the largest
   std::vector<double> type_horizons;    // and that of each type
   double kappa;

@@ -12,6 +12,7 @@
 #include "error.h"
 #include "memory.h"
 #include "tmsph_restart.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +139,6 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
 void FixTMSPHBond::post_run()
 {
   keep_velocities();
-  running = false;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -154,7 +154,7 @@ const double *FixTMSPHBond::setup_velocity(int i) const
 
 void FixTMSPHBond::write_restart(FILE *fp)
 {
-  if (running) keep_velocities();    // those of this step
+  if (update->whichflag == 1) keep_velocities();    // in a run: those of this step
   if (comm->me) return;
   std::vector<double> list = {RESTART_FORMAT,          (double) bonds_formed, (double) maxpartner,
                               (double) (lag != nullptr), (double) faced,        period[0],

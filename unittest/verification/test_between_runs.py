@@ -148,6 +148,18 @@ def balanced(report):
     report.true("tmsph/quasistatic with fix balance", not scene.run(may_fail=True).failed, "runs")
 
 
+def without_setup(report):
+    """A restart that a run without setup wrote continues to the last bit."""
+    fixes = "fix push high addforce 0 -1e4 0\nfix touch all tmsph/contact friction * * 0.4\n" \
+        "fix wall all tmsph/wall line 0 0 1e-2 0 friction 0.3\ntimestep 1e-8\n" \
+        "thermo_style custom step pe ke f_touch[2] f_wall[2]\nthermo_modify norm no format float %.17g\n"
+    whole = blocks(0.0).add(f"{fixes}restart 15 *.rst\nrun 10\nrun 10 pre no").run(keep="15.rst")
+    rest = Script(f"read_restart 15.rst\nfix 1 all nve\n{fixes}run 5", whole.kept).run()
+    for name in rest.tables[0]:
+        report.true(f"{name} after a restart from a run without setup",
+                    rest.thermo(name)[-1] == whole.thermo(name)[-1], "as in one run")
+
+
 report = Report()
 forget_contact(report)
 meet_after_reset(report)
@@ -156,6 +168,7 @@ delete_without_new_ids(report)
 plane(report)
 late_contact(report)
 balanced(report)
+without_setup(report)
 order_of_boundaries(report)
 books(report)
 report.finish()
