@@ -73,8 +73,8 @@ void ComputeTMSPHBondLocal::init()
 void ComputeTMSPHBondLocal::compute_local()
 {
   invoked_local = update->ntimestep;
+  pair = PairTMSPH::laid_out(lmp, "Compute tmsph/bond/local");
   const FixTMSPHBond &bonds = *pair->bonds();
-  bonds.need_layout("Compute tmsph/bond/local");
   values.clear();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;

@@ -59,8 +59,8 @@ void ComputeTMSPHCrack::init()
 void ComputeTMSPHCrack::compute_vector()
 {
   invoked_vector = update->ntimestep;
+  pair = PairTMSPH::laid_out(lmp, "Compute tmsph/crack");
   FixTMSPHBond *bonds = pair->bonds();
-  bonds->need_layout("Compute tmsph/crack");
   const bool two = domain->dimension == 2;
   const double cosine = two ? 2.0 / std::acos(-1.0) : 0.5, cosine2 = two ? 0.5 : 1.0 / 3.0;
 

@@ -36,7 +36,7 @@ void ComputeTMSPHDt::init()
 double ComputeTMSPHDt::compute_scalar()
 {
   invoked_scalar = update->ntimestep;
-  pair->bonds()->need_layout("Compute tmsph/dt");
+  pair = PairTMSPH::laid_out(lmp, "Compute tmsph/dt");
   scalar = pair->stable_timestep();
   return scalar;
 }

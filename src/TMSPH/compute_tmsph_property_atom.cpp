@@ -175,7 +175,7 @@ void ComputeTMSPHPropertyAtom::evaluate_fields()
 void ComputeTMSPHPropertyAtom::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
-  pair->bonds()->need_layout("Compute tmsph/property/atom");
+  pair = PairTMSPH::laid_out(lmp, "Compute tmsph/property/atom");
   find_rock();
   if (needs_rock) breaking->find_strengths();
   const int ncols = columns.size();

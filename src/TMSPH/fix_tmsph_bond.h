@@ -88,7 +88,7 @@ class FixTMSPHBond : public Fix {
   int maxsize_restart() override;
 
   bool formed() const { return bonds_formed; }
-  /// an error if the bonds have not formed or particles have changed places since the last run
+  /// an error if particles have changed places since the last run
   void need_layout(const std::string &who) const;
   /// true if pairs of types without bonds are in the families too
   bool formed_with_contact() const { return faced; }

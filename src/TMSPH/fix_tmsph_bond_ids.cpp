@@ -104,7 +104,6 @@ void FixTMSPHBond::follow_ids()
 
 void FixTMSPHBond::need_layout(const std::string &who) const
 {
-  if (!bonds_formed) error->all(FLERR, "{} before the bonds formed: do a run first", who);
   const int nall = atom->nlocal + atom->nghost;
   const int mine = !laid_out || xref.size() != 3 * (size_t) nall;
   int any;

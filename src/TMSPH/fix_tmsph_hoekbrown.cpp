@@ -387,11 +387,9 @@ double FixTMSPHHoekBrown::compute_vector(int n)
 
 double FixTMSPHHoekBrown::largest_load()
 {
-  const std::string who = fmt::format("Output 4 of fix tmsph/hoekbrown {}", id);
-  if (!bonds) error->all(FLERR, "{} before the bonds formed: do a run first", who);
-  bonds->need_layout(who);
+  PairTMSPH::laid_out(lmp, fmt::format("Output 4 of fix tmsph/hoekbrown {}", id));
+  find_strengths();
   const double *stress = pair->fields().stress;
-  follow_layout();
   double mine = 0.0, all;
   for (int i = 0; i < atom->nlocal; i++)
     mine = std::max(mine,

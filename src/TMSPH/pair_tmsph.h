@@ -147,6 +147,10 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   double spacing() const;
   unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
+  /** For outputs between runs, when much may have changed (collective).
+      @param who to be named in an error
+      @return    the present pair style, whose bonds are laid out; else an error */
+  static PairTMSPH *laid_out(class LAMMPS *lmp, const std::string &who);
 
   /** Own-side Cauchy stress and displacement gradient of the local particles in their present
       positions. Both are owned by the pair style and valid until its next call. */

@@ -1,7 +1,7 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   States of the particles that pair style tmsph cannot go on from.
+   States of the particles, and of an input between runs, that pair style tmsph cannot go on from.
 ------------------------------------------------------------------------- */
 
 #include "pair_tmsph.h"
@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "error.h"
 #include "fix_tmsph_bond.h"
+#include "force.h"
 #include "update.h"
 
 #include <cmath>
@@ -58,4 +59,16 @@ void PairTMSPH::stop_thermal()
                  "temperature, and 'expansion' and 'reference' in pair_coeff",
                  atom->tag[i], atom->temperature[i], strain, update->ntimestep);
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+PairTMSPH *PairTMSPH::laid_out(LAMMPS *lmp, const std::string &who)
+{
+  auto pair = dynamic_cast<PairTMSPH *>(lmp->force->pair_match("^tmsph", 0));
+  if (!pair) lmp->error->all(FLERR, "{} needs pair style tmsph", who);
+  if (!pair->bond_fix || !pair->bond_fix->formed())
+    lmp->error->all(FLERR, "{} before the bonds formed: do a run first", who);
+  pair->bond_fix->need_layout(who);
+  return pair;
 }

@@ -188,6 +188,11 @@ CASES = [
                  after="unfix hb\nprint $(c_m)"), "load|needs a fix tmsph/hoekbrown"),
     (PLATE, dict(more="compute p all tmsph/property/atom load\ncompute m all reduce max c_p",
                  after="unfix hb\n" + HB + "\nprint $(c_m)"), "tmsph/hoekbrown hb|not in a run yet|run 0"),
+    (PLATE, dict(more="compute p all tmsph/property/atom ux\ncompute m all reduce max c_p",
+                 after="pair_style none\nprint $(c_m)"), "tmsph/property/atom needs pair style tmsph"),
+    (PLATE, dict(more="compute c all tmsph/crack", after="pair_style none\npair_style tmsph 3e-3\nprint "
+                 "$(c_c[1])"), "tmsph/crack|do a run first"),
+    (PLATE, dict(after="pair_style none\nprint $(f_hb[4])"), "tmsph/hoekbrown hb needs pair style tmsph"),
     (PLATE, dict(run="run 0", after="replicate 2 1 1\nrun 0"), "replicate"),
     (PLATE, dict(more="run_style respa 2 2 pair 2"), "respa|verlet"),
     (PLATE, dict(more="fix x all tmsph/bond"), "internal"),
