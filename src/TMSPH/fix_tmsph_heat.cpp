@@ -271,6 +271,15 @@ void FixTMSPHHeat::prepare(double duration)
 }
 
 /* ----------------------------------------------------------------------
+   on which variables will be asked again
+------------------------------------------------------------------------- */
+
+bigint FixTMSPHHeat::next_step() const
+{
+  return (update->ntimestep / every + 1) * every;
+}
+
+/* ----------------------------------------------------------------------
    power per volume
 ------------------------------------------------------------------------- */
 
@@ -290,7 +299,7 @@ void FixTMSPHHeat::evaluate_sources()
         each.resize(nlocal);
         input->variable->compute_atom(variable, 0, each.data(), 1, 0);
       }
-      modify->addstep_compute(update->ntimestep + every);
+      modify->addstep_compute(next_step());
     }
     if (each.empty() && s.source == 0.0) continue;
     source_of.resize(nlocal);

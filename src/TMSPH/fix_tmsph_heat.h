@@ -69,6 +69,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   /// of the material of local particle i at its temperature, along a direction of unit length
   double conductivity(int i, const double *direction) const;
   class FixTMSPHBond *bonds_of_body() const { return bonds; }
+  /// the time step of the next heat step
+  bigint next_step() const;
   /// energy per mass of local particle i
   double enthalpy(int i, double temperature) const;
   /// this processor's share of what a boundary that holds temperatures brought

@@ -191,7 +191,7 @@ void FixTMSPHHeatBoundary::evaluate()
       values.resize(atom->nlocal);
       input->variable->compute_atom(variable_index, igroup, values.data(), 1, 0);
     }
-    modify->addstep_compute(update->ntimestep + 1);
+    modify->addstep_compute(body ? update->ntimestep + 1 : heat->next_step());
   }
   double sum[2] = {0.0, 0.0}, all[2];
   for (int i = 0; i < (int) values.size(); i++)

@@ -100,6 +100,17 @@ def order_of_boundaries(report):
                          abs(run.thermo(column)[-1] - content) / content, 1e-12)
 
 
+def energies_in_variables(report):
+    """Variables of sources and boundaries may ask for energies on heat steps, whenever a run starts."""
+    for words, fix in (("source * v_given", ""), ("", "fix in all tmsph/heat/boundary flux v_given")):
+        scene = Scene(lattice("square", (8, 8), SPACING), [material()])
+        scene.add("compute energy all pe\nvariable given equal 1e6+c_energy\ntimestep 1e-8\nthermo 7\n"
+                  f"fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850 every 10 {words}\n{fix}\n"
+                  "run 13\nrun 24")
+        run = scene.run(may_fail=True)
+        report.true(f"every 10, {words or fix}: energies", not run.failed, "are there")
+
+
 def books(report):
     """Boundaries that come and go between runs have their own accounts, and the sum has all."""
     scene = heated("", "fix one side tmsph/heat/boundary flux 1e6")
@@ -170,5 +181,6 @@ late_contact(report)
 balanced(report)
 without_setup(report)
 order_of_boundaries(report)
+energies_in_variables(report)
 books(report)
 report.finish()
