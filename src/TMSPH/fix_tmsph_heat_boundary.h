@@ -30,6 +30,7 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock {
   void min_pre_force(int) override;
   double compute_scalar() override;
   double compute_vector(int) override;
+  double memory_usage() override { return values.capacity() * sizeof(double); }
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
 

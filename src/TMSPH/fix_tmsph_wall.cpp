@@ -157,7 +157,8 @@ void FixTMSPHWall::list_candidates()
   }
   for (auto m = memories.begin(); m != memories.end();) {    // of particles that are gone
     const int i = atom->map(m->first);
-    m = i < 0 || i >= atom->nlocal ? memories.erase(m) : std::next(m);
+    const bool here = i >= 0 && i < atom->nlocal && (atom->mask[i] & groupbit);
+    m = here ? std::next(m) : memories.erase(m);
   }
 }
 

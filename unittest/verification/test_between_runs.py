@@ -51,6 +51,17 @@ def leave_the_group(report):
     report.within("pairs that touch after half of them left the group", after, 1, before - 1)
 
 
+def leave_the_wall(report):
+    """Particles that left the group of a wall are free of it from the setup of the next run on."""
+    press = blocks(0.0).add("group held union high low\nfix wall held tmsph/wall line 0 1e-5 1e-2 1e-5\n"
+                            "compute f all reduce sum fy")
+    press.thermo("step c_f f_wall[2]").add("run 20\ngroup held clear\nrun 0")
+    run = press.run()
+    force = run.thermo("f_wall[2]", 0)[-1]
+    report.above("force of the wall", abs(force), 1e5)
+    report.below("force on the free body, relative", abs(run.thermo("c_f")[-1] / force), 1e-9)
+
+
 def delete_without_new_ids(report):
     """What touches goes on as if nothing had happened after particles far away were deleted."""
     press = blocks(0.0).add("fix push high addforce 0 -1e4 0\nfix touch all tmsph/contact friction * * 0.4\n"
@@ -175,6 +186,7 @@ report = Report()
 forget_contact(report)
 meet_after_reset(report)
 leave_the_group(report)
+leave_the_wall(report)
 delete_without_new_ids(report)
 plane(report)
 late_contact(report)
