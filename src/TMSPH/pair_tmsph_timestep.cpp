@@ -115,5 +115,6 @@ template <int D> double PairTMSPH::stable_timestep_in()
   }
   for (size_t i = 0; i < velocities.size() / D; i++)
     std::copy_n(velocities.data() + D * i, D, force_row.data() + i * R::FORCE + R::V);
+  update_kinematics<D>();    // the work of viscosity may be asked for yet
   return dt / std::sqrt(SAFETY);
 }

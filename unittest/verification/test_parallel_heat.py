@@ -108,6 +108,10 @@ def viscous_heat(report):
     differ = np.count_nonzero(alone.frame("end")(names) != both.frame("end")(names))
     report.above("viscous: warmest particle", alone.frame("end")["c_p[3]"].max(), 1e-6)
     report.below("viscous, 2 ranks: values that differ", differ, 1)
+    told = Script("\n".join(scene.lines).replace("fix heat", "compute dt all tmsph/dt\n"
+                  "fix dt all ave/time 1 1 1 c_dt\nfix heat"), scene.files).run()
+    differ = np.count_nonzero(alone.frame("end")(names) != told.frame("end")(names))
+    report.below("viscous, with the stable step in each step: values that differ", differ, 1)
 
 
 report = Report()
