@@ -187,6 +187,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   // of the stable time step: what it was estimated for last, and its value
   int coefficients_at_estimate;
   bigint bonds_at_estimate;
+  double mass_at_estimate, stiffness_at_estimate;    // see matter()
   double stable_dt, intact_dt;    // now, and before bonds broke
   bool reported, reported_timestep;
 
@@ -262,6 +263,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   void stop_thermal();
   template <int D> double stable_timestep_in();
   void check_timestep();
+  std::pair<double, double> matter() const;
   void report();
   std::string features() const;     // what this scene uses, in words
   int doubles_per_ghost() const;    // sent by force evaluations

@@ -36,9 +36,10 @@ PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), dilatation(Dilatation::AUTO),
     bond_fix(nullptr), break_test(nullptr), contact(nullptr), contact_serves_heat(false),
-    coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0), stable_dt(0.0),
-    intact_dt(0.0), reported(false), reported_timestep(false), stepped(false),
-    prepared_version(-1), averaging(false), coupling(false), what_to_send(FORCE_ROWS)
+    coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0),
+    mass_at_estimate(0.0), stiffness_at_estimate(0.0), stable_dt(0.0), intact_dt(0.0),
+    reported(false), reported_timestep(false), stepped(false), prepared_version(-1),
+    averaging(false), coupling(false), what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;

@@ -42,17 +42,23 @@ void PairTMSPH::run_begins()
 
 /* ----------------------------------------------------------------------
    the estimate costs some tens of force evaluations: it is repeated only
-   when a hundredth of the bonds has gone since, or the coefficients changed
+   when a hundredth of the bonds has gone since, or coefficients or particles
+   changed
 ------------------------------------------------------------------------- */
 
 void PairTMSPH::check_timestep()
 {
   const bigint intact = bond_fix->count_bonds(FixTMSPHBond::INTACT);
-  if (coefficients_at_estimate != coefficients || intact < 0.99 * bonds_at_estimate) {
+  const auto [mass, stiffness] = matter();
+  const auto other = [](double now, double then) { return std::fabs(now - then) > 1.0e-6 * now; };
+  if (coefficients_at_estimate != coefficients || intact < 0.99 * bonds_at_estimate ||
+      other(mass, mass_at_estimate) || other(stiffness, stiffness_at_estimate)) {
     stable_dt = stable_timestep();
     if (coefficients_at_estimate != coefficients) intact_dt = stable_dt;
     bonds_at_estimate = intact;
     coefficients_at_estimate = coefficients;
+    mass_at_estimate = mass;
+    stiffness_at_estimate = stiffness;
   }
   bool integrates = false;
   for (const auto &fix : modify->get_fix_list()) integrates = integrates || fix->time_integrate;
@@ -69,6 +75,22 @@ void PairTMSPH::check_timestep()
   if (break_test && !on.viscosity && comm->me == 0)
     error->warning(FLERR, "Bonds that break without artificial viscosity can feed energy: add "
                           "'viscosity 1 2' to pair_style tmsph");
+}
+
+/* ----------------------------------------------------------------------
+   'set' may change masses, volumes and types between runs
+   @return the mass of all particles, and the sum of volume times modulus
+------------------------------------------------------------------------- */
+
+std::pair<double, double> PairTMSPH::matter() const
+{
+  double mine[2] = {0.0, 0.0}, all[2];
+  for (int i = 0; i < atom->nlocal; i++) {
+    mine[0] += atom->rmass[i];
+    mine[1] += atom->vfrac[i] * materials[atom->type[i]].elastic.wave_modulus;
+  }
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  return {all[0], all[1]};
 }
 
 /* ---------------------------------------------------------------------- */
