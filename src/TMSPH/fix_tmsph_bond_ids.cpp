@@ -43,7 +43,7 @@ void FixTMSPHBond::refuse_new_ids() const
   for (const auto &fix : modify->get_fix_list()) {
     const auto other = dynamic_cast<const TMSPHStoresIds *>(fix);
     if (!other) continue;
-    const int mine = other->has_ids();
+    int mine = other->has_ids();
     int any;
     MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
     if (any)
@@ -105,7 +105,7 @@ void FixTMSPHBond::follow_ids()
 void FixTMSPHBond::need_layout(const std::string &who) const
 {
   const int nall = atom->nlocal + atom->nghost;
-  const int mine = !laid_out || xref.size() != 3 * (size_t) nall;
+  int mine = !laid_out || xref.size() != 3 * (size_t) nall;
   int any;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
   if (any)
