@@ -102,8 +102,8 @@ def waves():
                 "particles per wave", choices, sizes(64, 128), MORE_HORIZONS, dimension=3)
     yield Study("shear3d", "S wave, 3-D", text.format("3-D").replace("P wave of", "S wave of"),
                 StandingWave, error, "error of the wave's speed",
-                {**common, "d": 3, "polarization": 1}, sizes(8, 16, 32), "particles per wave",
-                {DEFAULT: {}, **KERNELS, **HORIZONS, **hourglass(0, 0.3)}, sizes(64, 128),
+                {**common, "d": 3, "polarization": 1}, sizes(8, 16, 32, 64), "particles per wave",
+                {DEFAULT: {}, **KERNELS, **HORIZONS, **hourglass(0, 0.3)}, sizes(128),
                 MORE_HORIZONS, dimension=3)
 
 
@@ -186,13 +186,13 @@ def deformed():
     choices = {DEFAULT: {}, **KERNELS, **HORIZONS, **hourglass(0.02, 0.3, 1), **viscosity((1, 2)),
                **courant(1)}
     yield Study("beam", "Bending beam, plane strain", text.format("plane strain"), Beam, error,
-                "error of the period", {"plane": "strain"}, rows(4, 6, 8, 12),
-                "rows across the height", choices, rows(16, 24),
+                "error of the period", {"plane": "strain"}, rows(4, 6, 8, 12, 16, 24),
+                "rows across the height", choices, rows(32),
                 {"horizon 2 dx": {"horizon": 2.015}, "law almansi": {"options": "law almansi"}})
     yield Study("beam_stress", "Bending beam, plane stress", text.format("plane stress"), Beam,
-                error, "error of the period", {"plane": "stress"}, rows(4, 6, 8, 12),
+                error, "error of the period", {"plane": "stress"}, rows(4, 6, 8, 12, 16, 24),
                 "rows across the height", {DEFAULT: {}, **KERNELS, "horizon 2.5 dx":
-                                           {"horizon": 2.515}, **hourglass(0.3)}, rows(16, 24))
+                                           {"horizon": 2.515}, **hourglass(0.3)}, rows(32))
     text = ("Affine patch test: the particles inside a rim of two horizons that is held find their "
             "equilibrium. Root mean square error of their displacement, over strain times edge. "
             "On regular lattices zero but for the residual of 1e-8 E strain dx^(d-1); with "

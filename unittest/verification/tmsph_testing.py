@@ -200,6 +200,20 @@ class Scene(Script):
         return self
 
 
+def launcher_for(ranks):
+    """What starts lmp on so many processes; nothing if lmp was built without MPI, which is then
+    compared with itself."""
+    if ranks == 1:
+        return None
+    launcher = os.environ.get("TMSPH_MPIRUN")
+    if not launcher:
+        about = subprocess.run([os.environ["TMSPH_LMP"], "-h"], capture_output=True, text=True)
+        if "MPI STUBS" not in about.stdout:
+            raise RuntimeError("TMSPH_MPIRUN is not set: this test needs MPI")
+        print(f"     lmp without MPI: 1 process instead of {ranks}", flush=True)
+    return launcher
+
+
 class Run:
     """One run of lmp: its thermodynamic output, its dumps (*.dump of particles, *.local of
     rows), the files to keep and its cost. What it said is log; status is negative after a
@@ -216,10 +230,8 @@ class Run:
             # a folder each: Open MPI's runs that start and end at once take a shared one away
             # from each other
             environment = dict(os.environ, OMP_NUM_THREADS="1", TMPDIR=str(folder))
-            if ranks > 1:
-                launcher = os.environ.get("TMSPH_MPIRUN")
-                if not launcher:
-                    raise RuntimeError("TMSPH_MPIRUN is not set: this test needs MPI")
+            launcher = launcher_for(ranks)
+            if launcher:
                 command = [launcher, "-np", str(ranks)] + command
                 environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                                    OMPI_MCA_rmaps_base_oversubscribe="1",
