@@ -190,7 +190,7 @@ void FixTMSPHContact::face()
     s.slave_of[i] = s.slaves.size();
     s.slaves.push_back(slave);
   }
-  const int mine = !s.slaves.empty();
+  int mine = !s.slaves.empty();
   int any;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
   s.any = any;

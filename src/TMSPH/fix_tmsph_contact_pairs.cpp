@@ -40,7 +40,7 @@ void FixTMSPHContact::follow(bool after_breaks)
 {
   int changed = version != bonds->layout_version();    // the same on all processors
   if (!changed && after_breaks && self && pair->bonds_may_break()) {
-    const int mine = removals != bonds->removals();
+    int mine = removals != bonds->removals();
     MPI_Allreduce(&mine, &changed, 1, MPI_INT, MPI_MAX, world);
   }
   if (!changed) return;
@@ -180,7 +180,7 @@ void FixTMSPHContact::list_pairs()
 
   // restarts are written with one width for all processors
 
-  const int mine[2] = {largest, !pairings.empty()};
+  int mine[2] = {largest, !pairings.empty()};
   int all[2];
   MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
   maxexchange = std::max(all[0], exchange_size(0, 0, 0, 0));

@@ -290,7 +290,7 @@ void FixTMSPHContact::search(const std::vector<ContactState<D>> &states)
   send(0, width);
 
   const int parted = part();
-  const int mine = parted + meet<D>();
+  int mine = parted + meet<D>();
   int changes;
   MPI_Allreduce(&mine, &changes, 1, MPI_INT, MPI_SUM, world);
   plan_search();

@@ -387,7 +387,7 @@ FixTMSPHHeat::Account FixTMSPHHeat::account(const FixTMSPHHeatBoundary *boundary
 
 double FixTMSPHHeat::compute_scalar()
 {
-  const double mine = content();
+  double mine = content();
   double all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;

@@ -452,7 +452,7 @@ double FixTMSPHHoekBrown::compute_vector(int n)
 {
   if (n < 2) return total(n);
   if (n == 3) return largest_load();
-  const double mine = n == 2 ? (double) broken_now : 0.5 * debris.contacts();
+  double mine = n == 2 ? (double) broken_now : 0.5 * debris.contacts();
   double all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;

@@ -50,7 +50,7 @@ static void sum_in_any_order(const std::vector<Point> &terms, Point &sum, MPI_Co
   int64_t counted[3] = {}, all[3];
   for (const Point &t : terms)
     for (int a = 0; a < 3; a++) counted[a] += std::llround(t[a] / quantum);
-  MPI_Allreduce(counted, all, 3, MPI_INT64_T, MPI_SUM, world);
+  MPI_Allreduce(counted, all, 3, MPI_LL, MPI_SUM, world);
   for (int a = 0; a < 3; a++) sum[a] = all[a] * quantum;
 }
 

@@ -114,7 +114,7 @@ double MinTMSPHLBFGS::dot(const Vector &a, const Vector &b)
   const double scale = TMSPH::fixed_point_scale(terms * a.bound * b.bound);
   if (scale == 0.0) return 0.0;
   int64_t mine = TMSPH::fixed_point_dot(nvec, a.at, b.at, scale), all;
-  MPI_Allreduce(&mine, &all, 1, MPI_INT64_T, MPI_SUM, world);
+  MPI_Allreduce(&mine, &all, 1, MPI_LL, MPI_SUM, world);
   return all / scale;
 }
 
@@ -122,7 +122,7 @@ double MinTMSPHLBFGS::dot(const Vector &a, const Vector &b)
 
 double MinTMSPHLBFGS::largest(const double *a)
 {
-  const double mine = TMSPH::largest_magnitude(nvec, a);
+  double mine = TMSPH::largest_magnitude(nvec, a);
   double all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return all;

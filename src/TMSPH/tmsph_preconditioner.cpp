@@ -90,7 +90,7 @@ template <int D> void TMSPHPreconditioner::build(const double *forces)
         grid.add_spring(level<D>().places[i], k, HOLD * elastic.wave_modulus * volume / square,
                         scale, mine.data());
   }
-  MPI_Allreduce(mine.data(), all.data(), mine.size(), MPI_INT64_T, MPI_SUM, world);
+  MPI_Allreduce(mine.data(), all.data(), mine.size(), MPI_LL, MPI_SUM, world);
   if (!grid.factorize(all.data(), scale, FREE)) rebuilds = -1;
 }
 
@@ -146,7 +146,7 @@ bool TMSPHPreconditioner::restrict(const LBFGS::Vector &v, Eigen::VectorXd &node
       for (int k = 0; k < D; k++)
         mine[place.node[c] * D + k] += (int64_t) (scale * place.weight[c] * force[k]);
   }
-  MPI_Allreduce(mine.data(), all.data(), n + 1, MPI_INT64_T, MPI_SUM, world);
+  MPI_Allreduce(mine.data(), all.data(), n + 1, MPI_LL, MPI_SUM, world);
   nodes.resize(n);
   for (int m = 0; m < n; m++) nodes[m] = all[m] / scale;
   if (rebuilds == 0 || (all[n] != held && rebuilds < REBUILDS)) {
