@@ -18,9 +18,9 @@ class Body:
     def __init__(self, dimension, friction=None, rocks=ROCKS):
         self.friction, self.rocks = friction, rocks
         two = dimension == 2
-        self.radius, self.steps, self.heat = (25, 1400, 200) if two else (6.6, 300, 900)
+        self.radius, self.steps, self.heat = (17, 1000, 250) if two else (6.6, 300, 900)
         if rocks is SOFT:
-            self.radius, self.steps = 18, 1800
+            self.radius, self.steps = 14, 1400
         self.speed = 4465 if rocks is ROCKS else 7496    # of longitudinal waves
         n = 2 * int(self.radius) + 2
         cells = (n, n // 2 + n % 2 + 2) if two else (n,) * 3
