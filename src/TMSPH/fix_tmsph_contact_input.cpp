@@ -15,6 +15,7 @@
 #include "region.h"
 #include "tmsph_last_force.h"
 #include "tmsph_restart.h"
+#include "tmsph_types.h"
 #include "update.h"
 
 #include <algorithm>
@@ -81,11 +82,13 @@ void FixTMSPHContact::parse(int narg, char **arg)
         word != "law" && word != "method")
       unknown(arg[iarg], "friction, law, method, self, stiffness or surface");
     if (iarg + words > narg)
-      utils::missing_cmd_args(FLERR, "fix tmsph/contact " + word, error);
+      utils::missing_cmd_args(
+          FLERR, "fix tmsph/contact " + word + (word == "friction" ? " I J mu" : ""), error);
     if (word == "friction") {
       int ilo, ihi, jlo, jhi;
-      utils::bounds(FLERR, arg[iarg + 1], 1, atom->ntypes, ilo, ihi, error);
-      utils::bounds(FLERR, arg[iarg + 2], 1, atom->ntypes, jlo, jhi, error);
+      const std::string what = "Fix tmsph/contact friction", usage = "friction * * mu";
+      TMSPH::read_types(lmp, what, usage, arg[iarg + 1], ilo, ihi);
+      TMSPH::read_types(lmp, what, usage, arg[iarg + 2], jlo, jhi);
       const double value = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
       if (!(value >= 0.0))
         error->all(FLERR, "Fix tmsph/contact friction {} must not be negative", arg[iarg + 3]);

@@ -208,7 +208,8 @@ void FixTMSPHContact::warn_if_apart(double nearest)
   if (nearest_of_all < APART || nearest_of_all == HUGE_VAL || comm->me) return;
   error->warning(FLERR, "Bodies that are not bonded have their nearest particles {:.3g} spacings "
                         "apart: fix tmsph/contact {} takes their surfaces to touch there, so let "
-                        "them touch in the reference positions", nearest_of_all, id);
+                        "them touch in the reference positions, or stand farther apart than the "
+                        "horizon", nearest_of_all, id);
 }
 
 /* ----------------------------------------------------------------------

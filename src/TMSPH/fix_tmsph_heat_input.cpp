@@ -16,6 +16,7 @@
 #include "pair_tmsph.h"
 #include "text_file_reader.h"
 #include "tmsph_restart.h"
+#include "tmsph_types.h"
 #include "tokenizer.h"
 #include "update.h"
 
@@ -149,11 +150,12 @@ void FixTMSPHHeat::parse(int narg, char **arg)
       error->all(FLERR, "Unknown keyword '{}' of fix tmsph/heat: use conductivity, specific/heat, "
                         "source, contact, friction, viscous, subcycle, time/scale or every", word);
     if (iarg + (word == "contact" ? 3 : by_type ? 2 : 1) >= narg)
-      utils::missing_cmd_args(FLERR, "fix tmsph/heat " + word, error);
+      utils::missing_cmd_args(FLERR, "fix tmsph/heat " + word + (word == "contact" ? " I J h" : ""),
+                              error);
     const char *value = arg[iarg + 1];
     if (by_type) {
       int lo, hi, next = iarg + 3;
-      utils::bounds(FLERR, arg[iarg + 1], 1, atom->ntypes, lo, hi, error);
+      TMSPH::read_types(lmp, "Fix tmsph/heat " + word, word + " * value", arg[iarg + 1], lo, hi);
       Substance given;
       if (word == "conductivity")
         next = parse_conductivity(iarg + 2, narg, arg, given);
@@ -181,8 +183,9 @@ void FixTMSPHHeat::parse(int narg, char **arg)
     }
     if (word == "contact") {
       int ilo, ihi, jlo, jhi;
-      utils::bounds(FLERR, arg[iarg + 1], 1, atom->ntypes, ilo, ihi, error);
-      utils::bounds(FLERR, arg[iarg + 2], 1, atom->ntypes, jlo, jhi, error);
+      const std::string what = "Fix tmsph/heat contact", usage = "contact * * h";
+      TMSPH::read_types(lmp, what, usage, arg[iarg + 1], ilo, ihi);
+      TMSPH::read_types(lmp, what, usage, arg[iarg + 2], jlo, jhi);
       const double h = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
       if (!(h >= 0.0 && std::isfinite(h)))
         error->all(FLERR,

@@ -202,9 +202,11 @@ def page(rows):
              "A bare elastic body (St Venant-Kirchhoff, no hourglass control) and the same with one "
              "feature each, then with all, from `tools/speed/in.tmsph`. Time is that of the processor in "
              "the loop, as a ratio to the bare body within a round in which all took turns; median, in "
-             "brackets the smallest and largest. Bytes are LAMMPS's own count, for everything. Doubles are "
+             "brackets the smallest and largest. The microseconds are of a shared machine and differ from "
+             "those of [speed](speed.md), which were measured at another time: compare ratios. Bytes are "
+             "LAMMPS's own count, for everything. Doubles are "
              "those sent per ghost particle and step besides positions. Instructions are counted by "
-             "callgrind on smaller bodies of a build without instructions of one processor, as the "
+             "callgrind on smaller bodies of a build with `TMSPH_NATIVE=off`, as the "
              "difference of a long and a short run, which leaves set-up out."]
     for body in dict.fromkeys(row["body"] for row in rows):
         mine = [row for row in rows if row["body"] == body]

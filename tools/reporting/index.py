@@ -7,7 +7,13 @@ PAGES = {
     "costs.md": "What each feature costs: time, memory, communication, instructions",
     "stability.md": "Stiff and extreme cases, run up to failure: limits, and what happens beyond them",
     "speed.md": "Speed and memory per particle and step against the same methods",
-    "contact.md": "Contact with friction: forces, bars, the disc with friction",
+    "contact.md": "Contact and walls with friction: forces against closed forms, the disc with friction, cost",
+    "heat.md": "Conduction of heat against closed forms: errors, orders, time steps, cracks",
+    "incompressible.md": "Stresses near Poisson's ratio 1/2, one material and two",
+    "quasistatic.md": "The minimizer, and the heated disc without inertia beside the dynamic one",
+    "quench.md": "Cracks from thermal shock and thermal gradients: hollow cylinders, borehole, quenched plate",
+    "peers_verification.md": "The verification problems of other codes, done with this one",
+    "robustness.md": "Inputs changed at random, memory errors, sanitizers, other compilers: how runs end",
 }
 
 TEXT = """\
@@ -18,9 +24,9 @@ TEXT = """\
 `./tmsph report` makes {made} and their plots from runs, in some 10 minutes on two quiet cores;
 `./tmsph report --full` takes more sizes, choices and repetitions, can be stopped and goes on where it
 was; `--only NAME` measures one study, `--list` prints their names, `--pages` only writes the pages
-anew from the data. Raw results are in [data](data), one row for each choice and size. Every figure
-has its command and the commit of the package. Errors are reproduced to the digits given; run times
-to the scatter stated, on the same machine.
+anew from the data. Raw results are in [data](data), one row for each choice and size. These four pages
+have command and commit of the package under each table; on the others the command stands beside the
+figures. Errors are reproduced to the digits given; run times to the scatter stated, on the same machine.
 """
 
 

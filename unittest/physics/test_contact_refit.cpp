@@ -59,7 +59,10 @@ template <int D> void keeps_energy()
   std::normal_distribution<double> gauss;
   const auto unit = [&](double *n) {
     double square = 0.0;
-    for (int a = 0; a < D; a++) square += (n[a] = gauss(draw)) * n[a];
+    for (int a = 0; a < D; a++) {
+      n[a] = gauss(draw);
+      square += n[a] * n[a];
+    }
     for (int a = 0; a < D; a++) n[a] /= std::sqrt(square);
   };
   int pressed = 0, worn = 0;

@@ -93,9 +93,10 @@ TEST(WallShape, GapIsSteadyAlongPathsOverKinks)
       WallTouch found[2];
       const int count = wall.touches({x, y, 0}, 0.4, 1, found);
       ASSERT_EQ(count, 1) << kink << ' ' << x;
-      if (x > -0.5 + 0.5 * step)
+      if (x > -0.5 + 0.5 * step) {
         EXPECT_LT(std::fabs(found[0].gap - before), step * (1 + std::fabs(s / c)) + 1e-12)
             << kink << ' ' << x;
+      }
       before = found[0].gap;
     }
   }
