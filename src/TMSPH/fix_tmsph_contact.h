@@ -19,6 +19,7 @@ FixStyle(tmsph/contact,FixTMSPHContact);
 #include "pair_tmsph.h"
 #include "tmsph_contact_pair.h"
 #include "tmsph_own_surface.h"
+#include "tmsph_plane_fit.h"
 
 #include <array>
 #include <cstdint>
@@ -283,6 +284,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStore
   void keep_places(int i, Memory &) const;
   template <class Use> void places_at_master(const Master &, Use) const;
   void send(int first, int count);
+  static constexpr int MOST_SENT = 2 * TMSPH::Moments<3>::SIZE;    // per particle, by fit_pairs()
   static constexpr int PRESSED_AT_SEGMENTS = 64;    // that a particle of an outline may have
   static int exchange_size(int nrecords, int nmet, int nanchors, int npressed);
   int exchange_size(const Memory &, bool at_most) const;

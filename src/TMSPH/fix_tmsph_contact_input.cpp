@@ -52,7 +52,6 @@ FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
   stores_ids = 1;
   maxexchange = exchange_size(0, 0, 0, 0);
   maxexchange_dynamic = 1;
-  comm_forward = 20;
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
 }
@@ -136,6 +135,7 @@ void FixTMSPHContact::init()
     error->all(FLERR, "More than one fix tmsph/contact: give all types in a single one");
   bonds = pair->bonds();
   pair->set_contact(this);
+  comm_forward = MOST_SENT;    // for LAMMPS's buffers; send() changes it
   bool bodies = false;
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = 1; j < i; j++) bodies = bodies || !pair->bonded(i, j);

@@ -10,7 +10,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "tmsph_plane_fit.h"
 
 #include <algorithm>
 #include <cmath>
