@@ -10,6 +10,7 @@
 #include "comm.h"
 #include "error.h"
 #include "tmsph_restart.h"
+#include "tmsph_types.h"
 
 #include <cstring>
 
@@ -69,7 +70,8 @@ void FixTMSPHHoekBrown::parse(int narg, char **arg)
     if (iarg + words > narg)
       utils::missing_cmd_args(FLERR, "fix tmsph/hoekbrown " + word, error);
     int lo, hi;
-    utils::bounds(FLERR, arg[iarg + 1], 1, atom->ntypes, lo, hi, error);
+    TMSPH::read_types(lmp, "Fix tmsph/hoekbrown " + word,
+                      word + (weibull ? " * modulus seed" : " * value"), arg[iarg + 1], lo, hi);
     const double value = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
     const auto reject = [&](const char *rule) {
       error->all(FLERR, "Fix tmsph/hoekbrown {} {} is out of range: {}", word, arg[iarg + 2], rule);

@@ -204,6 +204,8 @@ CASES = [
      "all particles|group all"),
     (PLATE, {"break": "fix hb all tmsph/hoekbrown"}, "lacks the strength of type 1|add 'strength 1"),
     (PLATE, {"break": "fix hb all tmsph/hoekbrown strength * 1e6"}, "lacks the mi of type 1|add 'mi 1"),
+    (PLATE, {"break": "fix hb all tmsph/hoekbrown strength 120e6 mi 8"},
+     "strength|'120e6'|use 'strength * value'"),
     (PLATE, {"break": "fix hb all tmsph/hoekbrown strength 1 1e6 mi * 8"}, "strength of type 2|add"),
     (PLATE, {"break": HB + "strength 3 1e6"}, "3|1-2"),
     (PLATE, {"break": HB + "strength 1"}, "strength|missing"),
