@@ -207,7 +207,7 @@ CASES = [
     (PLATE, {"break": "fix hb all tmsph/hoekbrown strength 120e6 mi 8"},
      "strength|'120e6'|use 'strength * value'"),
     (PLATE, {"break": "fix hb all tmsph/hoekbrown strength 1 1e6 mi * 8"}, "strength of type 2|add"),
-    (PLATE, {"break": HB + "strength 3 1e6"}, "3|1-2"),
+    (PLATE, {"break": HB + "strength 3 1e6"}, "strength|'3'|1 to 2|use 'strength * value'"),
     (PLATE, {"break": HB + "strength 1"}, "strength|missing"),
     (PLATE, {"break": HB + "strength 1 high"}, "floating point|high"),
     (PLATE, {"break": HB + "strength 1 0"}, "strength 0|positive"),
