@@ -114,7 +114,8 @@ def renumbered(report, ranks):
     columns = "fx fy c_p[*] c_q[*]"
     scene = body.start("compute q all tmsph/property/atom x0 y0\n")
     scene.add(f"run {body.steps * 7 // 10}").snapshot("before", columns)
-    scene.add("region top block INF INF 17e-3 INF INF INF units box\ngroup top region top")
+    top = 0.68 * body.radius * SPACING
+    scene.add(f"region top block INF INF {top:.6g} INF INF INF units box\ngroup top region top")
     scene.add("delete_atoms group top compress yes\nrun 0").snapshot("deleted", columns)
     scene.add("reset_atoms id sort yes\nrun 0").snapshot("reset", columns)
     scene.add("run 50").snapshot("later", columns)
