@@ -392,9 +392,9 @@ void FixTMSPHWall::warn_of_overlap() const
       if (t.penetration[p] > 1.0e-6 * gap_of(t.i)) mine[0] = std::max(mine[0], t.penetration[p]);
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MAX, world);
   if (all[0] > 0.0 && comm->me == 0)
-    error->warning(FLERR, "Particles overlap wall {} from the start, by up to {:.3g}, and are pushed "
-                          "out: half a cell, half of {}, belongs between a surface particle and a "
-                          "wall", id, all[0],
+    error->warning(FLERR, "Particles overlap wall {} from the start, by up to {:.3g}, and are "
+                          "pushed out: half a cell, half of {}, belongs between a surface particle "
+                          "and a wall", id, all[0],
                    domain->dimension == 2 ? "(volume/thickness)^(1/2)" : "volume^(1/3)");
 }
 

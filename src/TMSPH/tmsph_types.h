@@ -25,7 +25,8 @@ inline void read_types(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const st
   const int ntypes = lmp->atom->ntypes;
   LAMMPS_NS::utils::bounds(FLERR, text, 1, ntypes, lo, hi, nullptr);
   if (lo < 1 || hi > ntypes || lo > hi)
-    lmp->error->all(FLERR, "{} needs types before the value, and '{}' is no type of 1 to {}: use '{}'",
+    lmp->error->all(FLERR, "{} needs types before the value, and '{}' is no type of 1 to {}: use "
+                           "'{}'",
                     what, text, ntypes, usage);
 }
 
