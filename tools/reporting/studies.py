@@ -98,8 +98,8 @@ def waves():
                 "error of the wave's speed", {"d": 2, **common}, sizes(8, 16, 32, 64, 128),
                 "particles per wave", long, sizes(256), {**MORE_HORIZONS, **RANKS})
     yield Study("wave3d", "P wave, 3-D", text.format("3-D"), StandingWave, error,
-                "error of the wave's speed", {"d": 3, **common}, sizes(8, 16, 32),
-                "particles per wave", choices, sizes(64, 128), MORE_HORIZONS, dimension=3)
+                "error of the wave's speed", {"d": 3, **common}, sizes(8, 16, 32, 64),
+                "particles per wave", choices, sizes(128), MORE_HORIZONS, dimension=3)
     yield Study("shear3d", "S wave, 3-D", text.format("3-D").replace("P wave of", "S wave of"),
                 StandingWave, error, "error of the wave's speed",
                 {**common, "d": 3, "polarization": 1}, sizes(8, 16, 32, 64), "particles per wave",
