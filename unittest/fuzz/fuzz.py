@@ -2,7 +2,7 @@
 """Mutated inputs: whatever the words and numbers, lmp ends well or with one error. Crashes,
 hangs, NaN in a dump and endings with no or several errors (unclear) fail; their inputs are kept.
 
-    fuzz.py [COUNT] [--seed S] [--keep FOLDER]
+    fuzz.py [COUNT] [--seed S] [--keep FOLDER] [--sanitizer]
 """
 
 import argparse
@@ -21,6 +21,12 @@ from seeds import SEEDS, t
 
 SECONDS = 10
 MEMORY = 4 << 30    # bytes of address space
+# An lmp with sanitizers is slow and reserves more addresses than there is memory: it limits itself
+SANITIZER_SECONDS = 200
+SANITIZER_OPTIONS = ("detect_leaks=0:allocator_may_return_null=1:max_allocation_size_mb=4096:"
+                     "hard_rss_limit_mb=4096")
+OUT_OF_MEMORY = re.compile(r"AddressSanitizer: (out of memory|allocation-size-too-big|"
+                           "requested allocation size)|hard rss limit exhausted")
 NUMBERS = ["0", "-1", "1", "2", "3", "1e300", "-1e300", "1e-300", "nan", "inf", "-inf",
            "2147483647", "2147483648", "-2147483648", "99999999999999999999", "1.5", "0.5", "1e",
            "0x10", "*", "2*1"]
@@ -121,27 +127,33 @@ def mutant(number, seed):
             return name, script, files
 
 
-def limit():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+def limit(memory):
+    resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     resource.setrlimit(resource.RLIMIT_FSIZE, (64 << 20, 64 << 20))
 
 
-def outcome(folder, script, files):
-    """Runs lmp in the folder: the kind of ending, and its last words."""
+def outcome(folder, script, files, sanitizer):
+    """Runs lmp, which may have sanitizers, in the folder: the kind of ending, and its last words."""
     for name, text in files.items():
         (folder / name).write_text(text)
     (folder / "in.fuzz").write_text(script)
     command = [os.environ["TMSPH_LMP"], "-in", "in.fuzz", "-log", "none", "-nocite"]
     environment = dict(os.environ, OMP_NUM_THREADS="1", TMPDIR=str(folder), **t.ALONE)
+    seconds, memory = SECONDS, MEMORY
+    if sanitizer:
+        seconds, memory = SANITIZER_SECONDS, resource.RLIM_INFINITY
+        environment.update(ASAN_OPTIONS=SANITIZER_OPTIONS, UBSAN_OPTIONS="halt_on_error=1")
     try:
-        done = subprocess.run(command, cwd=folder, env=environment, timeout=SECONDS,
+        done = subprocess.run(command, cwd=folder, env=environment, timeout=seconds,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, preexec_fn=limit)
+                              stderr=subprocess.STDOUT, preexec_fn=lambda: limit(memory))
     except subprocess.TimeoutExpired as late:
         return "hang", (late.stdout or b"").decode(errors="replace")[-2000:]
     log = done.stdout.decode(errors="replace")
     errors = re.findall(r"^ERROR.*", log, re.M)
+    if sanitizer and re.search("ERROR: AddressSanitizer|hard rss limit|runtime error:", log):
+        return ("memory" if OUT_OF_MEMORY.search(log) else "crash"), log[-2000:]
     if done.returncode < 0 or "Signal: " in log or done.returncode >= 128:
         return ("memory" if "bad_alloc" in log else "crash"), log[-2000:]
     dump = folder / "out.dump"
@@ -152,12 +164,12 @@ def outcome(folder, script, files):
     return ("error", errors[0]) if len(errors) == 1 else ("unclear", log[-2000:])
 
 
-def of_lammps(kind, script, words):
+def of_lammps(kind, script, words, sanitizer):
     """Whether this ending is one of LAMMPS that does not need TMSPH."""
     for pattern, signature, plain in LAMMPS:
         if re.search(pattern, script) and signature in words:
             with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
-                plain_kind, said = outcome(Path(folder), plain, {})
+                plain_kind, said = outcome(Path(folder), plain, {}, sanitizer)
             return plain_kind == kind and signature in said
     return False
 
@@ -168,18 +180,19 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", help="folder for the inputs that fail")
     parser.add_argument("--first", type=int, default=0, help="number of the first input")
+    parser.add_argument("--sanitizer", action="store_true", help="lmp was built with sanitizers")
     options = parser.parse_args()
     counts, bad = collections.Counter(), []
     for name, (script, files) in SEEDS.items():
         with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
-            kind, words = outcome(Path(folder), script, files)
+            kind, words = outcome(Path(folder), script, files, options.sanitizer)
         if kind != "well":
             bad.append(f"valid input {name}: {kind}: {words}")
     for number in range(options.first, options.first + options.count):
         name, script, files = mutant(number, options.seed)
         with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
-            kind, words = outcome(Path(folder), script, files)
-            if kind in FAILURES and of_lammps(kind, script, words):
+            kind, words = outcome(Path(folder), script, files, options.sanitizer)
+            if kind in FAILURES and of_lammps(kind, script, words, options.sanitizer):
                 kind = "fails without TMSPH as well"
             if kind in FAILURES and options.keep:
                 shutil.copytree(folder, Path(options.keep) / f"{options.seed}-{number}-{kind}",
