@@ -50,6 +50,9 @@ pair_style lj/cut 1
 pair_coeff * * 1 1
 """
 LAMMPS = [(FAR, "NBinStandard", LIQUID + "comm_modify cutoff 1e300\nrun 0\n"),
+          (FAR, "comm_brick.cpp", LIQUID + "comm_modify cutoff 1e300\nrun 0\n"),
+          # the words of a first line that lacks a quote were never set
+          (r'^\w+ [^"\n]*"[^"\n]*\n', "point_to_error", 'units "\n'),
           (FAR, "MPI_ERR_RANK", LIQUID + "write_restart mid.restart\nclear\n"
            "read_restart mid.restart\ncomm_modify cutoff 1e300\nrun 0\n")]
 
