@@ -173,21 +173,33 @@ def machine(lmp):
     return ", ".join(head + m[1] for head, m in (("", cpu), ("LAMMPS ", version), ("", compiler)) if m)
 
 
+def commit():
+    """Short name of the commit of the checkout, with a + if src/TMSPH differs from it."""
+    git = ["git", "-C", ROOT]
+    head = subprocess.run(git + ["rev-parse", "--short", "HEAD"], capture_output=True, text=True)
+    if head.returncode:
+        return "unknown"
+    changed = subprocess.run(git + ["status", "--porcelain", "src/TMSPH"], capture_output=True,
+                             text=True).stdout.strip()
+    return head.stdout.strip() + ("+" if changed else "")
+
+
 def read(name):
     with open(name, newline="") as file:
-        return [{key: value if key in ("scene", "case") else float(value or 0) for key, value in row.items()}
+        return [{key: value if key in ("scene", "case", "commit") else float(value or 0) for key, value in row.items()}
                 for row in csv.DictReader(file)]
 
 
 def compare(lmp, option):
     empty = run(lmp, "empty", {})[1]
+    state = commit()
     rows = []
     for scene in SCENES:
         rounds = option.large if scene in LARGE else option.rounds
         for k in range(rounds):
             print("%s, round %d of %d" % (scene, k + 1, rounds), file=sys.stderr, flush=True)
             cases = list(CASES) if k % 2 == 0 else list(CASES)[::-1]
-            rows += [dict(measure(lmp, scene, case, empty), round=k + 1) for case in cases]
+            rows += [dict(measure(lmp, scene, case, empty), round=k + 1, commit=state) for case in cases]
     with open(option.csv, "w", newline="") as file:
         writer = csv.DictWriter(file, ["round"] + [key for key in rows[0] if key != "round"])
         writer.writeheader()
@@ -214,8 +226,9 @@ def main():
     command = "tools/speed.py" + (" --rounds %d --large %d" % (option.rounds, option.large))
     text = "\n\n".join([
         "# Speed and memory",
-        "Made by `%s --md doc/report/speed.md` on one core (two for the last table) of: %s. Ratios are medians over "
-        "rounds in which all methods took turns; in brackets the smallest and largest." % (command, machine(lmp)),
+        "Made by `%s --md doc/report/speed.md`, commit %s, on one core (two for the last table) of: %s. Ratios are "
+        "medians over rounds in which all methods took turns; in brackets the smallest and largest."
+        % (command, rows[0]["commit"], machine(lmp)),
         "## Against other methods in the same lmp",
         "Same particles, same horizon of 3.015 spacings. tmsph has thermal bonds, hourglass control and viscosity on. "
         "Bytes are the resident memory at its highest, without that of an empty lmp.",

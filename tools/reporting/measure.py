@@ -6,30 +6,18 @@ import hashlib
 import inspect
 import json
 import statistics
-import subprocess
 import sys
 import time
 from datetime import date
 from pathlib import Path
 
-from speed import machine
+from speed import commit, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
 def digest(*parts):
     return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()[:16]
-
-
-def commit():
-    """Short name of the commit of the checkout, with a + if src/TMSPH differs from it."""
-    git = ["git", "-C", str(ROOT)]
-    head = subprocess.run(git + ["rev-parse", "--short", "HEAD"], capture_output=True, text=True)
-    if head.returncode:
-        return "unknown"
-    changed = subprocess.run(git + ["status", "--porcelain", "src/TMSPH"], capture_output=True,
-                             text=True).stdout.strip()
-    return head.stdout.strip() + ("+" if changed else "")
 
 
 def package_state():
