@@ -167,6 +167,7 @@ void FixTMSPHBond::form()
     type_horizons[t] = user->horizon(t, t);
     for (int u = 1; u < t; u++) faced = faced || user->touching(t, u);
   }
+  refuse_equal_ids();
   if (comm->get_comm_cutoff() < horizon)
     error->all(FLERR,
                "The ghost cutoff {} is shorter than the horizon {} of pair style tmsph: raise it "

@@ -174,6 +174,7 @@ class FixTMSPHBond : public Fix {
 
   void form();
   void release_list();
+  void refuse_equal_ids() const;
   void refuse_strangers() const;
   void follow_ids();
   void refuse_new_ids() const;

@@ -1,8 +1,8 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   Are the particles still those of the bonds: new ones, new ids, other places
-   in the arrays.
+   Do ids tell particles apart, and are the particles still those of the bonds:
+   new ones, new ids, other places in the arrays.
 ------------------------------------------------------------------------- */
 
 #include "fix_tmsph_bond.h"
@@ -14,8 +14,39 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <vector>
 
 using namespace LAMMPS_NS;
+
+/* ----------------------------------------------------------------------
+   Bonds know particles by id. LAMMPS compares only the largest id of a data
+   file with the number of particles. Equal ids meet on the same processor.
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_equal_ids() const
+{
+  const int nlocal = atom->nlocal;
+  std::vector<int> destination(nlocal);
+  for (int i = 0; i < nlocal; i++) destination[i] = atom->tag[i] % comm->nprocs;
+  tagint twice = 0, largest_twice;
+  const auto find_equal = [](int n, char *received, int &answer, int *&, char *&, void *result) {
+    tagint *const ids = reinterpret_cast<tagint *>(received);
+    std::sort(ids, ids + n);
+    const tagint *const found = std::adjacent_find(ids, ids + n);
+    if (found != ids + n) *static_cast<tagint *>(result) = *found;
+    return answer = 0;
+  };
+  constexpr int ALL_TO_ALL = 1;
+  char *none;
+  comm->rendezvous(ALL_TO_ALL, nlocal, reinterpret_cast<char *>(atom->tag), sizeof(tagint), 0,
+                   destination.data(), find_equal, 0, none, 0, &twice);
+  MPI_Allreduce(&twice, &largest_twice, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+  if (largest_twice)
+    error->all(FLERR,
+               "Several particles have the id {}: each needs its own; 'reset_atoms id' right after "
+               "read_data gives all new ones",
+               largest_twice);
+}
 
 /* ----------------------------------------------------------------------
    particles that came after the others had formed their bonds

@@ -463,6 +463,25 @@ def check(report, scene, changes, words):
     report.true(changed, good, f"{said}, status {run.status}" if not good else said)
 
 
+def equal_ids(report):
+    """A data file that gives the particles of two corners the same id, on any number of processors."""
+    data = Script("\n".join(dict(PLATE, run="run 0\nwrite_data out.data").values())).run(keep="out.data")
+    lines = data.kept["out.data"].decode().split("Velocities")[0].splitlines()
+    lines = ["64" + line[1:] if re.match("1 1 ", line) else line for line in lines]
+    wrong = {"cloud.data": "\n".join(lines) + "\n"}
+    scene = dict(PLATE, volume="", **NO_BOX)
+    for ranks in (1, 3):
+        run = Script("\n".join(scene.values()), wrong).run(ranks, may_fail=True)
+        errors = [line for line in run.log.splitlines() if line.startswith("ERROR")]
+        report.true(f"two particles with the same id, {ranks} processes",
+                    len(errors) == 1 and re.search("have the id 64:.*reset_atoms id", errors[0])
+                    and 0 < run.status < 128, errors[:1])
+        scene["atoms"] = NO_BOX["atoms"] + "\nreset_atoms id"
+        run = Script("\n".join(scene.values()), wrong).run(ranks)
+        report.true("and its remedy", run.thermo("Step")[-1] == 10, "a run of 10 steps")
+        scene["atoms"] = NO_BOX["atoms"]
+
+
 def other_versions(report):
     """Restart files whose records have the number of another format, one at a time."""
     fixes = "\n".join([CONTACT, LINE, CONDUCTS, HB])
@@ -494,5 +513,6 @@ report.true("the scenes work unchanged", all(run.thermo("Step")[-1] == 10 for ru
             "a run of 10 steps")
 for case in CASES:
     check(report, *case)
+equal_ids(report)
 other_versions(report)
 report.finish()
