@@ -2,7 +2,7 @@
 """Mutated inputs: whatever the words and numbers, lmp ends well or with one error. Crashes,
 hangs, NaN in a dump and endings with no or several errors (unclear) fail; their inputs are kept.
 
-    fuzz.py [COUNT] [--seed S] [--keep FOLDER] [--sanitizer]
+    fuzz.py [COUNT] [--seed S] [--keep FOLDER] [--ranks N] [--sanitizer]
 """
 
 import argparse
@@ -40,7 +40,7 @@ LONG_RUN = re.compile(r"^\s*(run|minimize|tmsph/quasistatic)\b.*\d{4,}", re.M)
 FAILURES = ("crash", "hang", "nan", "unclear")
 # Bad endings of LAMMPS itself: what the script has, the words of the ending, and an input without
 # TMSPH that must end likewise
-FAR = r"comm_modify +cutoff +\S*(\d{9,}|e[+]?\d{2,})"
+FAR = r"(comm_modify +cutoff|pair_style +tmsph) +\S*(\d{9,}|e[+]?\d+)"
 LIQUID = """units lj
 region box block 0 4 0 4 0 4
 create_box 1 box
@@ -136,15 +136,15 @@ def limit(memory):
     resource.setrlimit(resource.RLIMIT_FSIZE, (64 << 20, 64 << 20))
 
 
-def outcome(folder, script, files, sanitizer):
-    """Runs lmp, which may have sanitizers, in the folder: the kind of ending, and its last words."""
+def outcome(folder, script, files, options):
+    """Runs lmp in the folder, on several processes and with sanitizers if the options say so:
+    the kind of ending, and its last words."""
     for name, text in files.items():
         (folder / name).write_text(text)
     (folder / "in.fuzz").write_text(script)
-    command = [os.environ["TMSPH_LMP"], "-in", "in.fuzz", "-log", "none", "-nocite"]
-    environment = dict(os.environ, OMP_NUM_THREADS="1", TMPDIR=str(folder), **t.ALONE)
+    command, environment = t.lmp_command("in.fuzz", folder, options.ranks)
     seconds, memory = SECONDS, MEMORY
-    if sanitizer:
+    if options.sanitizer:
         seconds, memory = SANITIZER_SECONDS, resource.RLIM_INFINITY
         environment.update(ASAN_OPTIONS=SANITIZER_OPTIONS, UBSAN_OPTIONS="halt_on_error=1")
     try:
@@ -155,7 +155,7 @@ def outcome(folder, script, files, sanitizer):
         return "hang", (late.stdout or b"").decode(errors="replace")[-2000:]
     log = done.stdout.decode(errors="replace")
     errors = re.findall(r"^ERROR.*", log, re.M)
-    if sanitizer and re.search("ERROR: AddressSanitizer|hard rss limit|runtime error:", log):
+    if options.sanitizer and re.search("ERROR: AddressSanitizer|hard rss limit|runtime error:", log):
         return ("memory" if OUT_OF_MEMORY.search(log) else "crash"), log[-2000:]
     if done.returncode < 0 or "Signal: " in log or done.returncode >= 128:
         return ("memory" if "bad_alloc" in log else "crash"), log[-2000:]
@@ -167,12 +167,12 @@ def outcome(folder, script, files, sanitizer):
     return ("error", errors[0]) if len(errors) == 1 else ("unclear", log[-2000:])
 
 
-def of_lammps(kind, script, words, sanitizer):
+def of_lammps(kind, script, words, options):
     """Whether this ending is one of LAMMPS that does not need TMSPH."""
     for pattern, signature, plain in LAMMPS:
         if re.search(pattern, script) and signature in words:
             with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
-                plain_kind, said = outcome(Path(folder), plain, {}, sanitizer)
+                plain_kind, said = outcome(Path(folder), plain, {}, options)
             return plain_kind == kind and signature in said
     return False
 
@@ -183,19 +183,20 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", help="folder for the inputs that fail")
     parser.add_argument("--first", type=int, default=0, help="number of the first input")
+    parser.add_argument("--ranks", type=int, default=1, help="number of processes of each run")
     parser.add_argument("--sanitizer", action="store_true", help="lmp was built with sanitizers")
     options = parser.parse_args()
     counts, bad = collections.Counter(), []
     for name, (script, files) in SEEDS.items():
         with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
-            kind, words = outcome(Path(folder), script, files, options.sanitizer)
+            kind, words = outcome(Path(folder), script, files, options)
         if kind != "well":
             bad.append(f"valid input {name}: {kind}: {words}")
     for number in range(options.first, options.first + options.count):
         name, script, files = mutant(number, options.seed)
         with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
-            kind, words = outcome(Path(folder), script, files, options.sanitizer)
-            if kind in FAILURES and of_lammps(kind, script, words, options.sanitizer):
+            kind, words = outcome(Path(folder), script, files, options)
+            if kind in FAILURES and of_lammps(kind, script, words, options):
                 kind = "fails without TMSPH as well"
             if kind in FAILURES and options.keep:
                 shutil.copytree(folder, Path(options.keep) / f"{options.seed}-{number}-{kind}",

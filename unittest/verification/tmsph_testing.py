@@ -214,6 +214,22 @@ def launcher_for(ranks):
     return launcher
 
 
+def lmp_command(script, folder, ranks):
+    """Command and environment that run a script on so many processes."""
+    command = [os.environ["TMSPH_LMP"], "-in", script, "-log", "none", "-nocite"]
+    # a folder each: Open MPI's runs that start and end at once take a shared one away from each other
+    environment = dict(os.environ, OMP_NUM_THREADS="1", TMPDIR=str(folder))
+    launcher = launcher_for(ranks)
+    if launcher:
+        environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                           OMPI_MCA_rmaps_base_oversubscribe="1",
+                           OMPI_MCA_hwloc_base_binding_policy="none",
+                           OMPI_MCA_mpi_yield_when_idle="1")
+        return [launcher, "-np", str(ranks)] + command, environment
+    environment.update(ALONE)
+    return command, environment
+
+
 class Run:
     """One run of lmp: its thermodynamic output, its dumps (*.dump of particles, *.local of
     rows), the files to keep and its cost. What it said is log; status is negative after a
@@ -226,19 +242,7 @@ class Run:
                 (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
             (folder / "in.test").write_text("\n".join(scene.lines) + "\n")
-            command = [os.environ["TMSPH_LMP"], "-in", "in.test", "-log", "none", "-nocite"]
-            # a folder each: Open MPI's runs that start and end at once take a shared one away
-            # from each other
-            environment = dict(os.environ, OMP_NUM_THREADS="1", TMPDIR=str(folder))
-            launcher = launcher_for(ranks)
-            if launcher:
-                command = [launcher, "-np", str(ranks)] + command
-                environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                                   OMPI_MCA_rmaps_base_oversubscribe="1",
-                                   OMPI_MCA_hwloc_base_binding_policy="none",
-                                   OMPI_MCA_mpi_yield_when_idle="1")
-            else:
-                environment.update(ALONE)
+            command, environment = lmp_command("in.test", folder, ranks)
             try:
                 done = subprocess.run(command, cwd=folder, env=environment, timeout=timeout,
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
