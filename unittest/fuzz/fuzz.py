@@ -38,9 +38,10 @@ NUMBER = re.compile(r"[-+]?\d[\d.e+-]*$")
 # A length of a run that asks for more steps than fit the time is no hang
 LONG_RUN = re.compile(r"^\s*(run|minimize|tmsph/quasistatic)\b.*\d{4,}", re.M)
 FAILURES = ("crash", "hang", "nan", "unclear")
-# Bad endings of LAMMPS itself: what the script has, the words of the ending, and an input without
-# TMSPH that must end likewise
+# Bad endings of LAMMPS itself: what the script or a file has, the words of the ending, and an input
+# without TMSPH that must end likewise
 FAR = r"(comm_modify +cutoff|pair_style +tmsph) +\S*(\d{9,}|e[+]?\d+)"
+WIDE = r"\S*(\d{9,}|e[+]?\d+) .lo .hi"
 LIQUID = """units lj
 region box block 0 4 0 4 0 4
 create_box 1 box
@@ -50,6 +51,7 @@ pair_style lj/cut 1
 pair_coeff * * 1 1
 """
 LAMMPS = [(FAR, "NBinStandard", LIQUID + "comm_modify cutoff 1e300\nrun 0\n"),
+          (WIDE, "atom.cpp", LIQUID.replace("box block 0 4", "box block 0 1e300") + "run 0\n"),
           (FAR, "comm_brick.cpp", LIQUID + "comm_modify cutoff 1e300\nrun 0\n"),
           # the words of a first line that lacks a quote were never set
           (r'^\w+ [^"\n]*"[^"\n]*\n', "point_to_error", 'units "\n'),
@@ -155,6 +157,7 @@ def outcome(folder, script, files, options):
         return "hang", (late.stdout or b"").decode(errors="replace")[-2000:]
     log = done.stdout.decode(errors="replace")
     errors = re.findall(r"^ERROR.*", log, re.M)
+    speakers = {re.match(r"ERROR( on proc \d+)?", line)[0] for line in errors}
     if options.sanitizer and re.search("ERROR: AddressSanitizer|hard rss limit|runtime error:", log):
         return ("memory" if OUT_OF_MEMORY.search(log) else "crash"), log[-2000:]
     if done.returncode < 0 or "Signal: " in log or done.returncode >= 128:
@@ -164,13 +167,16 @@ def outcome(folder, script, files, options):
         return "nan", log[-2000:]
     if done.returncode == 0:
         return "well", ""
-    return ("error", errors[0]) if len(errors) == 1 else ("unclear", log[-2000:])
+    if errors and len(errors) == len(speakers) <= options.ranks:    # each process at most one
+        return "error", errors[0]
+    return "unclear", log[-2000:]
 
 
-def of_lammps(kind, script, words, options):
-    """Whether this ending is one of LAMMPS that does not need TMSPH."""
+def of_lammps(kind, text, words, options):
+    """Whether this ending is one of LAMMPS that does not need TMSPH; the text is that of the
+    script and its files."""
     for pattern, signature, plain in LAMMPS:
-        if re.search(pattern, script) and signature in words:
+        if re.search(pattern, text) and signature in words:
             with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
                 plain_kind, said = outcome(Path(folder), plain, {}, options)
             return plain_kind == kind and signature in said
@@ -196,7 +202,8 @@ def main():
         name, script, files = mutant(number, options.seed)
         with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
             kind, words = outcome(Path(folder), script, files, options)
-            if kind in FAILURES and of_lammps(kind, script, words, options):
+            if kind in FAILURES and of_lammps(kind, "\n".join([script, *files.values()]),
+                                                      words, options):
                 kind = "fails without TMSPH as well"
             if kind in FAILURES and options.keep:
                 shutil.copytree(folder, Path(options.keep) / f"{options.seed}-{number}-{kind}",
