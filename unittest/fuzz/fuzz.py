@@ -202,8 +202,8 @@ def main():
         name, script, files = mutant(number, options.seed)
         with tempfile.TemporaryDirectory(prefix="tmsph-") as folder:
             kind, words = outcome(Path(folder), script, files, options)
-            if kind in FAILURES and of_lammps(kind, "\n".join([script, *files.values()]),
-                                                      words, options):
+            text = "\n".join([script, *files.values()])
+            if kind in FAILURES and of_lammps(kind, text, words, options):
                 kind = "fails without TMSPH as well"
             if kind in FAILURES and options.keep:
                 shutil.copytree(folder, Path(options.keep) / f"{options.seed}-{number}-{kind}",
