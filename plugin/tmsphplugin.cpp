@@ -16,6 +16,7 @@
 #include "compute_tmsph_crack.h"
 #include "compute_tmsph_dt.h"
 #include "compute_tmsph_property_atom.h"
+#include "compute_tmsph_wall_local.h"
 #include "fix_tmsph_bond.h"
 #include "fix_tmsph_contact.h"
 #include "fix_tmsph_heat.h"
@@ -103,6 +104,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   add("compute", "tmsph/property/atom", "fields of the particles");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_compute<ComputeTMSPHBondLocal>;
   add("compute", "tmsph/bond/local", "reference bonds");
+  plugin.creator.v2 = (lammpsplugin_factory2 *) &create_compute<ComputeTMSPHWallLocal>;
+  add("compute", "tmsph/wall/local", "where the walls are");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_compute<ComputeTMSPHCrack>;
   add("compute", "tmsph/crack", "crack area and opening");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_compute<ComputeTMSPHDt>;

@@ -97,6 +97,7 @@ ComputeTMSPHPropertyAtom::Column ComputeTMSPHPropertyAtom::column(const std::str
   if (word == "temperature") return [this](int i) { return atom->temperature[i]; };
   if (word == "damage") return [this](int i) { return atom->damage[i]; };
   if (word == "volume") return [this](int i) { return atom->vfrac[i]; };
+  if (word == "radius") return [this](int i) { return 0.5 * pair->bonds()->spacing(i); };
   const auto bonds_in = [this](FixTMSPHBond::State state) {
     return [this, state](int i) {
       int n = 0;
@@ -140,8 +141,8 @@ ComputeTMSPHPropertyAtom::Column ComputeTMSPHPropertyAtom::column(const std::str
     };
   error->all(FLERR,
              "Unknown word '{}' of compute tmsph/property/atom: use ux uy uz x0 y0 z0 temperature "
-             "volume damage nbond nbroken ncut sxx syy szz sxy sxz syz s1 s2 s3 smean vonmises Fxx "
-             "to Fzz strength or load",
+             "volume radius damage nbond nbroken ncut sxx syy szz sxy sxz syz s1 s2 s3 smean "
+             "vonmises Fxx to Fzz strength or load",
              word);
   return nullptr;
 }

@@ -43,6 +43,9 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   bool has_ids() const override { return !memories.empty(); }
   int image(int *&, double **&) override;
 
+  /// lines of two points in 2-D, triangles in 3-D, where the wall is now
+  std::vector<std::vector<TMSPH::Point>> pieces() const;
+
   /// moves a wall over a time to the present step, with its prescribed velocities
   void move(double duration);
   /// of the fastest particle near it, if that went along
@@ -135,6 +138,7 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   void hold(Touching &, double dt, double dragged);
   void drive(double dt);
   void warn_of_overlap() const;
+  std::vector<Point> corners() const;
 };
 
 }    // namespace LAMMPS_NS

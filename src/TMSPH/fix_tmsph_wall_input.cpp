@@ -1,7 +1,7 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   Words, checks, migration and restart of fix tmsph/wall.
+   Words, checks, migration, restart and pictures of fix tmsph/wall.
 ------------------------------------------------------------------------- */
 
 #include "fix_tmsph_wall.h"
@@ -12,6 +12,7 @@
 #include "error.h"
 #include "force.h"
 #include "input.h"
+#include "modify.h"
 #include "pair_tmsph.h"
 #include "text_file_reader.h"
 #include "tmsph_last_force.h"
@@ -410,32 +411,58 @@ int FixTMSPHWall::maxsize_restart()
 }
 
 /* ----------------------------------------------------------------------
-   for dump image: lines in 2-D, triangles in 3-D
+   to be drawn, where the wall is now: a plane as far as the box is seen
+------------------------------------------------------------------------- */
+
+std::vector<TMSPH::Point> FixTMSPHWall::corners() const
+{
+  Point middle;
+  double square = 0.0;
+  for (int k = 0; k < 3; k++) {
+    middle[k] = 0.5 * (domain->boxlo[k] + domain->boxhi[k]);
+    square += domain->prd[k] * domain->prd[k];
+  }
+  std::vector<Point> points = shape->picture(motion.to_body(middle), std::sqrt(square));
+  for (Point &p : points) p = motion.to_space(p);
+  return points;
+}
+
+/* ----------------------------------------------------------------------
+   lines in 2-D, in 3-D triangles that share the first corner
+------------------------------------------------------------------------- */
+
+std::vector<std::vector<TMSPH::Point>> FixTMSPHWall::pieces() const
+{
+  const std::vector<Point> points = corners();
+  std::vector<std::vector<Point>> out;
+  const bool flat = domain->dimension == 2;
+  for (size_t n = flat ? 0 : 1; n + 1 < points.size(); n++) {
+    out.emplace_back();
+    if (!flat) out.back().push_back(points[0]);
+    out.back().push_back(points[n]);
+    out.back().push_back(points[n + 1]);
+  }
+  return out;
+}
+
+/* ----------------------------------------------------------------------
+   for dump image, which takes one fix only: any wall draws all of them
 ------------------------------------------------------------------------- */
 
 int FixTMSPHWall::image(int *&kinds, double **&values)
 {
   enum { LINE = 1, TRIANGLE = 2 };    // as in dump_image.cpp
-  const Point middle = {0.5 * (domain->boxlo[0] + domain->boxhi[0]),
-                        0.5 * (domain->boxlo[1] + domain->boxhi[1]),
-                        0.5 * (domain->boxlo[2] + domain->boxhi[2])};
-  const Point box = {domain->xprd, domain->yprd, domain->zprd};
-  std::vector<Point> corners = shape->picture(
-      motion.to_body(middle), std::sqrt(box[0] * box[0] + box[1] * box[1] + box[2] * box[2]));
-  for (Point &c : corners) c = motion.to_space(c);
-  const bool flat = domain->dimension == 2;
   picture.clear();
-  for (size_t n = flat ? 0 : 1; n + 1 < corners.size(); n++) {
-    std::array<double, 10> row = {1.0};
-    double *to = row.data() + 1;
-    if (!flat) to = std::copy_n(corners[0].data(), 3, to);
-    to = std::copy_n(corners[n].data(), 3, to);
-    std::copy_n(corners[n + 1].data(), 3, to);
-    picture.push_back(row);
-  }
+  for (Fix *fix : modify->get_fix_by_style("^tmsph/wall$"))
+    for (const auto &piece : dynamic_cast<FixTMSPHWall *>(fix)->pieces()) {
+      std::array<double, 10> row = {1.0};
+      double *to = row.data() + 1;
+      for (const Point &p : piece) to = std::copy(p.begin(), p.end(), to);
+      picture.push_back(row);
+    }
   picture_rows.clear();
   for (auto &row : picture) picture_rows.push_back(row.data());
-  picture_kinds.assign(picture.size(), flat ? LINE : TRIANGLE);
+  picture_kinds.assign(picture.size(), domain->dimension == 2 ? LINE : TRIANGLE);
   kinds = picture_kinds.data();
   values = picture_rows.data();
   return picture.size();
