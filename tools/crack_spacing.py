@@ -23,6 +23,8 @@ import sys
 
 import numpy as np
 
+import lammps_files
+
 DAMAGED = 0.3      # share of broken bonds; beside a straight crack it is about 0.4
 HORIZON = 3.015    # in spacings
 DEPTHS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0)    # mm
@@ -30,17 +32,10 @@ DEPTHS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0)    # mm
 
 def frames(path):
     """(step, temperature, damage, x, y) of each frame; reference positions in mm."""
-    with open(path) as file:
-        while file.readline().startswith("ITEM: TIMESTEP"):
-            step = int(file.readline())
-            file.readline()
-            count = int(file.readline())
-            for _ in range(4):
-                file.readline()
-            names = file.readline().split()[2:]
-            table = np.loadtxt([file.readline() for _ in range(count)], ndmin=2)
-            columns = [table[:, names.index(f"c_field[{k}]")] for k in (1, 2, 5, 6)]
-            yield step, columns[0], columns[1], 1e3 * columns[2], 1e3 * columns[3]
+    for step, _, names, table in lammps_files.frames(path):
+        T, damage, x, y = (table[:, names.index(name)] for name in ("temperature", "damage", "x0",
+                                                                    "y0"))
+        yield step, T, damage, 1e3 * x, 1e3 * y
 
 
 class Plate:

@@ -4,18 +4,19 @@
 
 usage: cracks.py EVENTS [options]
 
-EVENTS is what 'write_dump all local events.txt index f_ID[*]' or a 'dump local' writes; of a dump
-with several frames the last is taken. Written are, with the default --out cracks:
+EVENTS is what 'write_dump all local events.txt index f_ID[*]' or a 'dump local' writes, the columns
+named or not; of a dump with several frames the last is taken. Written are, with the default --out cracks:
   cracks.rose.csv, .png        events per direction of the crack, tension and shear apart
   cracks.dip.csv               the same of the dips, in 3-D
-  cracks.events.csv, .png      cumulative number and energy of the events
+  cracks.events.csv, .png      all events in their order, with cumulative number and energy
   cracks.length.csv, .png      crack length against temperature, with --curve or --log
 
 options:
   --curve FILE        table of fix ave/time that has the crack area of compute tmsph/crack
   --log FILE          log with it, as an alternative
   --columns T A       names of the columns of temperature and crack area in that table
-                      (default: temperature and crack_area, or f_heat and c_crack[3])
+                      (default: temperature and crack_area, with or without a unit as in
+                      crack_area_m2; or f_heat and c_crack[3])
   --thickness H       thickness of a 2-D body: crack length is area over thickness (default 1)
   --against WHAT      temperature, time or step, for the events (default temperature)
   --bins N            bins of the rose over 180 degrees (default 18)
@@ -44,7 +45,8 @@ import numpy as np
 import lammps_files
 from lammps_files import stop
 
-COLUMNS = 13           # of the events of fix tmsph/hoekbrown
+# of the events of fix tmsph/hoekbrown, as examples/disc names them
+COLUMNS = "id1 id2 step time x y z nx ny nz kind energy temperature".split()
 REACH = 4.0            # spacings: a crack is some 3 wide
 ROUND = 0.5            # above this ratio of variances a cloud has no direction
 COLOURS = ("tab:red", "tab:blue")
@@ -62,9 +64,10 @@ class Events:
         step, kind, names, table = frame
         if kind == "ATOMS":
             stop(f"{path} is a dump of particles: give the events, 'dump local ... f_ID[*]'")
-        columns = [k for k, name in enumerate(names) if re.fullmatch(r"f_\S+\[\d+\]", name)]
-        if len(columns) != COLUMNS:
-            stop(f"{path} has {len(columns)} columns of a fix, not the {COLUMNS} of the events of "
+        columns = [k for k, name in enumerate(names)
+                   if name in COLUMNS or re.fullmatch(r"f_\S+\[\d+\]", name)]
+        if len(columns) != len(COLUMNS):
+            stop(f"{path} has {len(columns)} columns of a fix, not the {len(COLUMNS)} of the events of "
                  "fix tmsph/hoekbrown: use 'write_dump all local FILE index f_ID[*]'")
         table = table[:, columns]
         if not np.isin(table[:, 10], (1, 2)).all():
@@ -181,9 +184,11 @@ def crack_length(arguments):
     columns = (lammps_files.averages if arguments.curve else lammps_files.log)(path)
     pairs = [arguments.columns] if arguments.columns else [("temperature", "crack_area"),
                                                            ("f_heat", "c_crack[3]")]
+    bare = {lammps_files.quantity(name)[0]: column for name, column in columns.items()}
     for T, area in pairs:
-        if T in columns and area in columns:
-            return columns[T], columns[area] / arguments.thickness
+        for known in (columns, bare):
+            if T in known and area in known:
+                return known[T], known[area] / arguments.thickness
     stop(f"{path} has the columns {' '.join(columns)}: say with --columns which of them are "
          "temperature and crack area")
 
@@ -228,8 +233,10 @@ def main(words):
     order = np.argsort(x, kind="stable")
     total, shear = np.arange(1, len(events) + 1), np.cumsum(events.shear[order])
     table(f"{arguments.out}.events.csv",
-          (arguments.against, "events", "tension", "shear", "energy"),
-          (x[order], total, total - shear, shear, np.cumsum(events.energy[order])))
+          ("events", "tension", "shear", "energy", *COLUMNS[:10], "temperature"),
+          (total, total - shear, shear, np.cumsum(events.energy[order]), *events.ids[order].T,
+           events.step[order], events.time[order], *events.place[order].T, *events.bond[order].T,
+           events.temperature[order]))
     draw_curves(f"{arguments.out}.events.png", x[order], arguments.against,
                 (("all", total, "black"), ("tension", total - shear, COLOURS[0]),
                  ("shear", shear, COLOURS[1])), "broken bonds")

@@ -1,8 +1,15 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Reading what LAMMPS writes, for the tools: text dumps, tables of fix ave/time, logs."""
+"""Reading what LAMMPS writes, for the tools: text dumps, tables of fix ave/time and ave/chunk, logs.
+Columns of tables are called by what they hold and its unit, as crack_area_m2."""
 import sys
 
 import numpy as np
+
+
+# how units are written in names of columns, and how in pictures
+UNITS = {"C": "\u00b0C", "percent": "%", "%": "%", "m2": "m\u00b2", "N_per_m": "N/m", "J_per_m": "J/m",
+         "m_per_s": "m/s", "J_per_m2": "J/m\u00b2", "Nm": "N m",
+         **{unit: unit for unit in "K s ms min h mm m Pa MPa N kN J W m/s".split()}}
 
 
 def stop(message):
@@ -44,22 +51,62 @@ def frames(path):
             line = file.readline()
 
 
+def quantity(name):
+    """What a column holds, and its unit as in UNITS or nothing: crack_area_m2 is (crack_area, m2)."""
+    parts = name.split("_")
+    for k in range(1, len(parts)):
+        if "_".join(parts[k:]) in UNITS:
+            return "_".join(parts[:k]), "_".join(parts[k:])
+    return name, ""
+
+
 def averages(path):
-    """Columns by name of a table of fix ave/time: the last line with # before the data has the
-    names."""
-    names, rows = None, []
+    """Columns by name of a table of fix ave/time. The names are its first line if that is neither
+    a remark nor numbers, else the last line with # before the data."""
+    names, remark, rows = None, None, []
     with opened(path) as file:
         for line in file:
             if line.startswith("#"):
-                names = line[1:].split()
+                remark = line[1:].split()
             elif line.strip():
                 rows.append(line.split())
+    if rows and not is_number(rows[0][0]):
+        names, rows = rows[0], rows[1:]
+    names = names or remark
     if not names or not rows or any(len(row) != len(names) for row in rows):
-        stop(f"{path} is not a table of fix ave/time with a value for each name in its last # line")
+        stop(f"{path} is not a table of fix ave/time with a name for each column in its first line, or "
+             "in its last # line")
     try:
         return dict(zip(names, np.array(rows, float).T))
     except ValueError:
         stop(f"{path} has words among its numbers")
+
+
+def is_number(word):
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def profiles(path):
+    """Names of the columns and, for each step, (step, rows) of a table of fix ave/chunk."""
+    with opened(path) as file:
+        lines = file.read().splitlines()
+    remarks = [line for line in lines if line.startswith("#")]
+    names = remarks[-1][1:].split() if remarks else []
+    words = [line.split() for line in lines if line.strip() and not line.startswith("#")]
+    found, k = [], 0
+    try:
+        while k < len(words):
+            step, count, _ = words[k]
+            rows = np.array(words[k + 1: k + 1 + int(count)], float)
+            found.append((int(step), rows.reshape(int(count), len(names))))
+            k += 1 + int(count)
+    except ValueError:
+        stop(f"{path} is not a table of fix ave/chunk with a name for each column in its last # line")
+    return names, found
 
 
 def log(path):

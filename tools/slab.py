@@ -16,6 +16,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+import lammps_files
+
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "unittest" / "verification"))
 from heat_scenes import dirichlet, neumann, robin
 
@@ -30,12 +32,10 @@ EXACT = {
 
 
 def profiles(path):
-    """Each as position and temperature of the columns, from the output of fix ave/chunk."""
-    rows = iter([line.split() for line in path.read_text().splitlines() if line[0] != "#"])
-    for _, count, _ in rows:
-        table = np.array([next(rows) for _ in range(int(count))], float)
-        table = table[table[:, 2] > 0]
-        yield table[:, 1], table[:, 3]
+    """Each as position and temperature of the columns that have particles."""
+    for _, rows in lammps_files.profiles(path)[1]:
+        _, x, count, T = rows.T
+        yield x[count > 0], T[count > 0]
 
 
 def main(out, folder="."):

@@ -35,8 +35,8 @@ def main(arguments):
     for k, (title, log) in enumerate(word.split("=", 1) for word in arguments[1:]):
         table = read_thermo(Path(log).read_text())[-1]
         style = dict(label=title, lw=1 if k < 3 else 2, ls=["-", "--", ":"][k % 3])
-        above.plot(table["Time"], -table["f_below[2]"] / 1e3, **style)
-        below.plot(table["Time"], table["f_below[1]"] / 1e3, **style)
+        above.plot(table["time_s"], -table["below_y_N"] / 1e3, **style)
+        below.plot(table["time_s"], table["below_x_N"] / 1e3, **style)
     stretch = 1 - PUSH / EDGE
     exact = MODULUS * EDGE * stretch * (1 - stretch**2) / 2e3
     above.axhline(exact, color="k", ls=":", lw=1, label="exact without friction")

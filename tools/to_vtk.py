@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Turn a text dump of particles into files of VTK, for ParaView.
+"""Turn a text dump of particles into files of VTK, for ParaView, or into extended XYZ, for ASE.
 
-usage: to_vtk.py DUMP [--bonds BONDS] [--names NAME ...] [--out PREFIX]
+usage: to_vtk.py DUMP [--bonds BONDS] [--walls WALLS] [--names NAME ...] [--xyz] [--out PREFIX]
 
 Every frame becomes PREFIX.STEP.vtu, and PREFIX.pvd is the series of all with the steps as times
 (PREFIX: the name of the dump). Every column becomes a field of the points; columns ux uy, vx vy and
@@ -12,14 +12,17 @@ Positions are x y z or xu yu zu, 0 where there is none.
 --names NAME ...  the names of the columns that are called c_ID[k], f_ID[k] or v_NAME, in their
                   order ('dump_modify ID colname' does the same when the dump is written)
 --bonds BONDS     'dump local' of compute tmsph/bond/local, with id1 and id2 as its first columns
-                  after index, written at the same steps: lines in PREFIX.bonds.STEP.vtu and
-                  PREFIX.bonds.pvd
+                  after index (or named batom1 and batom2), written at the same steps: lines in
+                  PREFIX.bonds.STEP.vtu and PREFIX.bonds.pvd
+--walls WALLS     'dump local' of compute tmsph/wall/local: lines in 2-D, triangles in 3-D, in
+                  PREFIX.walls.STEP.vtu and PREFIX.walls.pvd
+--xyz             also all frames in PREFIX.xyz: ASE reads all columns of that by their names, of a
+                  dump only those that are not renamed
 
 What doc/output.md shows:
     ./tmsph run examples/disc/in.disc -var bonds yes
     cd examples/disc
-    ../../tools/to_vtk.py dump.disc --bonds dump.bonds \\
-        --names ux uy temperature damage sxx syy szz sxy s1 s3 strength
+    ../../tools/to_vtk.py dump.disc --bonds dump.bonds
 """
 import argparse
 import base64
@@ -31,7 +34,7 @@ import numpy as np
 import lammps_files
 from lammps_files import stop
 
-VERTEX, LINE = 1, 3    # cell types of VTK
+VERTEX, LINE, TRIANGLE = 1, 3, 5    # cell types of VTK
 VECTORS = {"displacement": "u{}", "velocity": "v{}", "force": "f{}"}
 TYPES = {"f": "Float64", "i": "Int64", "u": "UInt8"}
 
@@ -132,9 +135,11 @@ def bonds(path, known):
     for step, kind, names, table in lammps_files.frames(path):
         if kind == "ATOMS":
             stop(f"{path} is a dump of particles, not of bonds")
-        ours = [k for k, name in enumerate(names) if name.startswith("c_")]
+        ours = [k for k, name in enumerate(names)
+                if name.startswith("c_") or (name != "index" and "batom1" in names)]
         if len(ours) < 2:
-            stop(f"{path} has no columns of compute tmsph/bond/local with id1 and id2")
+            stop(f"{path} has no columns of compute tmsph/bond/local with id1 and id2, or batom1 and "
+                 "batom2")
         if step not in known:
             continue
         ids, points = known[step]
@@ -148,11 +153,36 @@ def bonds(path, known):
         yield step, points, np.searchsorted(ids, pairs), data
 
 
+def walls(path):
+    """(step, points, rows of two or three points, fields) of each frame."""
+    for step, _, names, table in lammps_files.frames(path):
+        table = table[:, [k for k, name in enumerate(names) if name != "index"]]
+        if table.shape[1] not in (7, 10):
+            stop(f"{path} has not the 7 or 10 columns of compute tmsph/wall/local")
+        corners = (table.shape[1] - 1) // 3
+        points = np.ascontiguousarray(table[:, 1:]).reshape(-1, 3).astype("<f8")
+        yield (step, points, np.arange(len(points)).reshape(-1, corners),
+               {"wall": table[:, 0].astype("<i8")})
+
+
+def write_xyz(file, step, points, data):
+    """A frame of extended XYZ; species have no element."""
+    columns = {re.sub(r"\W", "_", name): column for name, column in data.items()}
+    kinds = [f"{name}:{'I' if column.dtype.kind == 'i' else 'R'}:{column[0].size}"
+             for name, column in columns.items()]
+    file.write(f"{len(points)}\nProperties=species:S:1:pos:R:3:{':'.join(kinds)} step={step}\n")
+    for k, point in enumerate(points):
+        values = [*point, *(value for column in columns.values() for value in np.atleast_1d(column[k]))]
+        file.write("X " + " ".join(f"{value:.17g}" for value in values) + "\n")
+
+
 def main(words):
     parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0],
                                      add_help=False)
     parser.add_argument("dump", nargs="?")
     parser.add_argument("--bonds")
+    parser.add_argument("--walls")
+    parser.add_argument("--xyz", action="store_true")
     parser.add_argument("--names", nargs="+")
     parser.add_argument("--out")
     parser.add_argument("-h", "--help", action="store_true")
@@ -161,22 +191,31 @@ def main(words):
         sys.exit(__doc__)
     prefix, files, known = arguments.out or arguments.dump, [], {}
     short = prefix.rsplit("/", 1)[-1]
+    xyz = open(f"{prefix}.xyz", "w") if arguments.xyz else None
     for step, ids, points, data in particles(arguments.dump, arguments.names):
         grid(f"{prefix}.{step}.vtu", points, np.arange(len(points))[:, None], VERTEX, data, {})
         files.append((step, f"{short}.{step}.vtu"))
+        if xyz:
+            write_xyz(xyz, step, points, data)
         if arguments.bonds:
             known[step] = ids, points
     series(f"{prefix}.pvd", files)
     print(f"{len(files)} frames in {prefix}.pvd")
-    if arguments.bonds:
+    if xyz:
+        xyz.close()
+    for what, path, cells in (("bonds", arguments.bonds, lambda path: bonds(path, known)),
+                              ("walls", arguments.walls, walls)):
+        if not path:
+            continue
         lines = []
-        for step, points, pairs, data in bonds(arguments.bonds, known):
-            grid(f"{prefix}.bonds.{step}.vtu", points, pairs, LINE, {}, data)
-            lines.append((step, f"{short}.bonds.{step}.vtu"))
+        for step, points, rows, data in cells(path):
+            kind = LINE if rows.shape[1] == 2 else TRIANGLE
+            grid(f"{prefix}.{what}.{step}.vtu", points, rows, kind, {}, data)
+            lines.append((step, f"{short}.{what}.{step}.vtu"))
         if not lines:
-            stop(f"{arguments.bonds} has none of the steps of {arguments.dump}")
-        series(f"{prefix}.bonds.pvd", lines)
-        print(f"{len(lines)} frames in {prefix}.bonds.pvd")
+            stop(f"{path} has none of the steps of {arguments.dump}")
+        series(f"{prefix}.{what}.pvd", lines)
+        print(f"{len(lines)} frames in {prefix}.{what}.pvd")
 
 
 if __name__ == "__main__":

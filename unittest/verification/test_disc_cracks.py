@@ -73,8 +73,8 @@ class Disc:
         self.place, self.T = events("f_break[5] f_break[6]"), events["f_break[13]"]
         self.family = np.bincount(self.bonds.ravel(), minlength=len(self.X))
         tables = run.tables
-        self.kinetic = max(table["KinEng"].max() for table in tables)
-        self.elastic = max(table["PotEng"].max() for table in tables)
+        self.kinetic = max(table["kinetic_J"].max() for table in tables)
+        self.elastic = max(table["elastic_J"].max() for table in tables)
         self.r = np.hypot(*self.X.T)
         cell = SPACING**2 * 3**0.5 / 2
         self.a, self.R = np.sqrt(np.array([self.inside.sum(), len(self.X)]) * cell / np.pi)

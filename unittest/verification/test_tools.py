@@ -1,6 +1,7 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """tools/cracks.py and tools/to_vtk.py on what a coarse examples/disc writes, and the dumps
-themselves read by ASE, a reader of LAMMPS dumps that is not ours. Counts are those of the fix
+themselves read by programs that are not ours: ASE, and MDAnalysis and VTK where they are
+installed. Counts are those of the fix
 itself, lengths those of compute tmsph/crack; the cracks of the disc run radially, with the
 expansions exchanged around the inclusion; events made of the bonds that tmsph/cut removes along
 a line or plane point along it. Wrong files stop with one line that says why."""
@@ -13,7 +14,7 @@ from tmsph_testing import *
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ("examples/disc/in.disc", "potentials/mu2022.tmsph")    # it includes the second
-FIELDS = "ux uy temperature damage sxx syy szz sxy s1 s3 strength".split()
+FIELDS = "ux uy temperature damage sxx syy szz sxy s1 s3 strength radius".split()
 INNER, SPACING = 0.015, 2.5e-3
 
 report = Report()
@@ -60,7 +61,7 @@ def counts():
     disc("no")
     out = tool("cracks.py", "events.txt", "--curve", "broken_bonds.txt", "--out", "curve")
     tool("cracks.py", "events.txt", "--log", "log.disc", "--out", "log", "--against", "step")
-    curve = np.loadtxt(folder / "broken_bonds.txt")
+    curve = np.loadtxt(folder / "broken_bonds.txt", skiprows=1)
     last = curve[-1]    # step temperature broken tension shear area opening
     events = table("curve.events.csv")
     report.true("cumulative events at the end", events["events"][-1] == last[2] > 100,
@@ -164,22 +165,86 @@ def plane():
                  tilt["events"][tilt["from_degrees"] == 30][0] / number, 0.8)
 
 
-def other_reader():
+def other_readers():
     """ASE's reader and ours, and what goes to ParaView."""
     from ase.io import read
+    tool("to_vtk.py", "dump.disc", "--bonds", "dump.bonds", "--xyz")
+    named = read(folder / "dump.disc.xyz", index=":")
     frames = read(folder / "dump.disc", index=":", format="lammps-dump-text", order=True)
     ours = read_dump(folder / "dump.disc")
     report.true("frames that ASE reads", len(frames) == len(ours) > 3, f"{len(ours)}")
-    same = {"positions": True, "types": True, "fields": True}
-    for theirs, frame in zip(frames, ours):
+    report.true("frames of extended XYZ that ASE reads", len(named) == len(ours), f"{len(ours)}")
+    same = {"positions": True, "types": True, "fields by their names": True}
+    for theirs, all_of_them, frame in zip(frames, named, ours):
         same["positions"] &= np.array_equal(theirs.get_positions()[:, :2], frame("x y"))
         same["types"] &= np.array_equal(theirs.get_atomic_numbers(), frame["type"])
-        for k in range(1, len(FIELDS) + 1):
-            same["fields"] &= np.array_equal(theirs.arrays[f"c_field[{k}]"].ravel(),
-                                             frame[f"c_field[{k}]"])
+        fields = dict(all_of_them.arrays)
+        fields["ux"], fields["uy"] = fields["displacement"].T[:2]
+        for name in ["id", "type"] + FIELDS:
+            same["fields by their names"] &= np.array_equal(fields[name], frame[name])
     for what, equal in same.items():
         report.true(f"{what} of ASE and of our reader", equal, "equal in all frames")
-    vtk(frames)
+    vtk(ours)
+    vtk_reader(ours)
+    mdanalysis(ours)
+
+
+def installed(module):
+    """A module that the tests do without, or nothing."""
+    import importlib
+    try:
+        return importlib.import_module(module)
+    except ImportError:
+        print(f"     {module} is not installed: not read with it", flush=True)
+        return None
+
+
+def vtk_reader(ours):
+    """Names, radii and bonds as VTK's own reader, which is ParaView's, finds them."""
+    if not installed("vtkmodules"):
+        return
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+    def grid(name):
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(folder / name))
+        reader.Update()
+        return reader.GetOutput()
+
+    good = True
+    for frame in ours:
+        points = grid(f"dump.disc.{frame.step}.vtu")
+        data = points.GetPointData()
+        good &= np.array_equal(vtk_to_numpy(points.GetPoints().GetData())[:, :2], frame("x y"))
+        for name in FIELDS[2:]:
+            good &= np.array_equal(vtk_to_numpy(data.GetArray(name)), frame[name])
+    report.true("VTK: points, fields and radii", good, "equal in all frames")
+    lines = grid(f"dump.disc.bonds.{ours[-1].step}.vtu")
+    rows = read_dump(folder / "dump.bonds")[-1]
+    ends = vtk_to_numpy(lines.GetCells().GetConnectivityArray()).reshape(-1, 2)
+    state = vtk_to_numpy(lines.GetCellData().GetArray("state"))
+    report.true("VTK: bonds and their states", np.array_equal(ends + 1, rows("batom1 batom2"))
+                and np.array_equal(state, rows["btype"]), f"{len(rows['btype'])}")
+
+
+def mdanalysis(ours):
+    """It reads ids, types and positions of a dump, in single precision and from the corner of the box;
+    further columns only as of a later version than Debian's."""
+    module = installed("MDAnalysis")
+    if not module:
+        return
+    import warnings
+    warnings.simplefilter("ignore")
+    universe = module.Universe(str(folder / "dump.disc"), format="LAMMPSDUMP",
+                               topology_format="LAMMPSDUMP", lammps_coordinate_convention="unscaled")
+    good = len(universe.trajectory) == len(ours)
+    for frame, _ in zip(ours, universe.trajectory):
+        shift = universe.atoms.positions[:, :2] - frame("x y")
+        good &= np.ptp(shift, axis=0).max() < 4e-7 * np.abs(frame("x y")).max()
+        good &= np.array_equal(universe.atoms.ids, frame["id"])
+        good &= np.array_equal(universe.atoms.types.astype(int), frame["type"])
+    report.true("MDAnalysis: ids, types, positions", good, "equal in all frames")
 
 
 def decoded(element):
@@ -193,7 +258,7 @@ def decoded(element):
 
 
 def vtk(frames):
-    tool("to_vtk.py", "dump.disc", "--bonds", "dump.bonds", "--names", *FIELDS)
+    """The files for ParaView, decoded here."""
     listed = [(int(s.get("timestep")),
                s.get("file")) for s in xml.parse(folder / "dump.disc.pvd").iter("DataSet")]
     report.true("frames in the series", len(listed) == len(frames), f"{len(frames)}")
@@ -201,23 +266,22 @@ def vtk(frames):
     for (_, name), frame in zip(listed, frames):
         root = xml.parse(folder / name).getroot()
         arrays = {a.get("Name"): decoded(a) for a in root.iter("DataArray")}
-        good &= np.array_equal(arrays["Points"][:, :2], frame.get_positions()[:, :2])
-        good &= np.array_equal(arrays["type"], frame.get_atomic_numbers())
-        shift = [frame.arrays[f"c_field[{k}]"].ravel() for k in (1, 2)]
-        good &= np.array_equal(arrays["displacement"].T[:2],
-                               shift) and not arrays["displacement"][:, 2].any()
-        for k, field in enumerate(FIELDS[2:], 3):
-            good &= np.array_equal(arrays[field], frame.arrays[f"c_field[{k}]"].ravel())
-        good &= np.array_equal(arrays["connectivity"], np.arange(len(frame)))
-    report.true("points and all fields of the files for ParaView", good, "those that ASE reads")
+        good &= np.array_equal(arrays["Points"][:, :2], frame("x y"))
+        good &= np.array_equal(arrays["type"], frame["type"])
+        good &= np.array_equal(arrays["displacement"][:, :2], frame("ux uy"))
+        good &= not arrays["displacement"][:, 2].any()
+        for field in FIELDS[2:]:
+            good &= np.array_equal(arrays[field], frame[field])
+        good &= np.array_equal(arrays["connectivity"], np.arange(len(frame["id"])))
+    report.true("points and all fields of the files for ParaView", good, "those of the dump")
     root = xml.parse(folder / f"dump.disc.bonds.{listed[-1][0]}.vtu").getroot()
     arrays = {a.get("Name"): decoded(a) for a in root.iter("DataArray")}
     rows = read_dump(folder / "dump.bonds")[-1]
     report.true("lines are the bonds", np.array_equal(arrays["connectivity"].reshape(-1, 2) + 1,
-                                                      rows("c_bond[1] c_bond[2]")),
+                                                      rows("batom1 batom2")),
                 f"{len(rows['index'])}")
     report.true("broken ones among them", np.count_nonzero(arrays["state"] == 1)
-                == np.count_nonzero(rows["c_bond[3]"] == 1) > 0, "as in the dump")
+                == np.count_nonzero(rows["btype"] == 1) > 0, "as in the dump")
 
 
 def wrong_files():
@@ -239,7 +303,7 @@ def wrong_files():
         report.true(f"cracks.py {' '.join(words)}", text in said and said.count("\n") == 1,
                     said.strip())
     for words, text in ((("events.txt",), "not a dump of particles"),
-                        (("dump.disc", "--names", "ux"), "11 columns"),
+                        (("dump.disc", "--names", "ux"), "0 columns"),
                         (("dump.disc", "--bonds", "dump.disc"), "not of bonds"),
                         (("dump.disc", "--bonds", "events.txt"), "no columns of compute"),
                         (("short.txt",), "breaks off")):
@@ -250,7 +314,7 @@ def wrong_files():
 
 try:
     counts()
-    other_reader()
+    other_readers()
     directions()
     line()
     plane()

@@ -19,8 +19,8 @@ class Slide:
         self.push = float(variables.get("push", PUSH))
         run = Script(head + "\ninclude in.slide", {"in.slide": text}).run(ranks)
         self.cost = run.cost
-        self.time, self.friction = run.thermo("Time"), run.thermo("f_below[1]")
-        self.normal, self.torque = -run.thermo("f_below[2]"), run.thermo("f_below[6]")
+        self.time, self.friction = run.thermo("time_s"), run.thermo("below_x_N")
+        self.normal, self.torque = -run.thermo("below_y_N"), run.thermo("torque_Nm")
         self.pressed = self.normal[np.argmin(abs(self.time - 1.04))]
         self.slides = self.time > 1.7    # more than 2 mm after all particles have begun to
 
