@@ -23,9 +23,9 @@ def opened(path):
         stop(f"cannot read {path}: {error.strerror}")
 
 
-def frames(path):
-    """(step, kind, names, table) of each frame of a text dump; kind is ATOMS, ENTRIES or whatever
-    the label of the rows is."""
+def frames(path, wanted=None):
+    """(step, kind, names, table) of each frame of a text dump, or of those of the wanted steps; kind
+    is ATOMS, ENTRIES or whatever the label of the rows is."""
     with opened(path) as file:
         line = file.readline()
         if not line.startswith("ITEM:"):
@@ -40,7 +40,11 @@ def frames(path):
                     file.readline()
             else:
                 kind, *names = line.split()[1:]
-                rows = [file.readline().split() for _ in range(count)]
+                rows = [file.readline() for _ in range(count)]
+                if wanted is not None and step not in wanted:
+                    line = file.readline()
+                    continue
+                rows = [row.split() for row in rows]
                 if any(len(row) != len(names) for row in rows):
                     stop(f"{path} ends or breaks off in the frame of step {step}")
                 try:

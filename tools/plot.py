@@ -1,0 +1,229 @@
+#!/usr/bin/python3
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""Pictures of what a run left in a folder: maps of the fields, curves of the tables, energies of the
+log, directions and numbers of the break events.
+
+usage: plot.py FOLDER [options]            (./tmsph plot FOLDER [options] does the same)
+
+Written are, in the folder:
+  plot.FIELD.png               a map of each field in the last frame of dump.*, beside walls; with
+                               several dumps plot.DUMP.FIELD.png
+  plot.TABLE.png               curves of TABLE.txt, a table of fix ave/time or a profile of ave/chunk
+  plot.energy.png              energies of log.lammps, columns whose names end with _J
+  plot.rose.png, plot.events.png   directions and cumulative number of the events in events.txt
+  plot.movie.mp4               with --movie, where ffmpeg is installed
+
+options:
+  --field NAME ...    columns of the dump, or displacement (default: damage, temperature,
+                      displacement, s1 and s3, those which the dump has and which are not the same
+                      everywhere)
+  --step N ...        draw the frames nearest to these steps, side by side (default: the last)
+  --magnify M         draw displacements M times as large
+  --section AXIS[=A]  of a 3-D body: across the axis x, y or z, at A m (default: z, in the middle)
+  --range LOW HIGH    of the colours, in the units of the dump
+  --movie             all frames of the first field as a movie
+  --maps              maps only
+  --out PREFIX        (default FOLDER/plot)
+
+A column of a dump is a length, stress or velocity by its name, in the units si. Columns of tables are
+called by what they hold and its unit, such as crack_area_m2. In a table the first column, or the
+second if the first is the step, is drawn against all others, and it is the title of maps at its steps.
+"""
+import argparse
+import re
+import sys
+from pathlib import Path
+
+try:
+    import matplotlib
+    import scipy    # noqa: F401, for the maps
+except ImportError as missing:
+    sys.exit(f"plot.py: {missing}: install python3-matplotlib and python3-scipy")
+matplotlib.use("Agg")
+
+import numpy as np
+
+import cracks
+import lammps_files
+from lammps_files import stop
+from plotting import bodies, curves, maps
+
+BINS = 18              # of the rose over 180 degrees
+
+
+def tables(folder):
+    """Columns by name of each table of fix ave/time, and its remark."""
+    found = {}
+    for path in sorted(folder.glob("*.txt")):
+        with open(path, errors="replace") as file:
+            first = file.readline().split()
+            remark = file.readline()
+        if len(first) > 1 and all(word.isidentifier() for word in first):
+            found[path.stem] = (lammps_files.averages(path),
+                                remark.lstrip("# ").strip() if remark.startswith("#") else "")
+    return found
+
+
+def about(folder):
+    """The folder and what the only input in it says of itself in its first words."""
+    inputs, words = sorted(folder.glob("in.*")), []
+    name = folder.resolve().name
+    inputs = [path for path in inputs if path.name == f"in.{name}"] or inputs
+    if len(inputs) == 1:
+        for line in inputs[0].read_text(errors="replace").splitlines():
+            if not line.startswith("# ") or (words and words[-1][-1] in ".:"):
+                break
+            words += re.split(r"(?<=[.:])\s", line[2:].strip())[:1]
+    return f"{name}: {' '.join(words).rstrip('.:')}" if words else name
+
+
+class Titles:
+    """What a table says about steps: its first column after the step."""
+
+    def __init__(self, folder, known):
+        self.table = next((columns for columns, _ in known.values() if "step" in columns
+                           and len(columns) > 1), None)
+        names = [name for columns, _ in known.values() for name in columns]
+        names += [name for path in folder.glob("profile*.txt") for name in lammps_files.profiles(path)[0]]
+        units = [lammps_files.quantity(name)[1] for name in names]
+        self.degrees = next((unit for unit in units if unit in ("C", "K")), "")
+
+    def of(self, step):
+        if self.table is None:
+            return f"step {step}"
+        name = next(name for name in self.table if name != "step")
+        steps = self.table["step"]
+        value = np.interp(step, steps, self.table[name])
+        what, unit = lammps_files.quantity(name)
+        factor, unit = bodies.scaled(unit, np.abs(self.table[name]).max())
+        if abs(value) < 1e-3 * np.abs(self.table[name]).max():
+            value = 0.0
+        return f"{curves.text(what)} {value * factor:.4g} {unit}".strip() + f"\nstep {step}"
+
+
+def chosen_fields(arguments, shown, path):
+    """Those asked for, or all usual ones that differ from place to place."""
+    have = shown[-1].columns
+    if not arguments.field:
+        return [field for field in bodies.FIELDS if field in have
+                and any(np.ptp(body.columns[field]) > 1e-9 * np.abs(body.columns[field]).max()
+                        for body in shown)]
+    for field in arguments.field:
+        if field not in have:
+            stop(f"{path} has no column {field}: give one of {' '.join(have)}")
+    return arguments.field
+
+
+def draw_maps(folder, path, name, arguments, titles):
+    steps = bodies.steps(path)
+    wanted = []
+    for step in arguments.step or steps[-1:]:
+        if not steps[0] <= step <= steps[-1]:
+            stop(f"{path} has no step {step}: its frames are of steps {steps[0]} to {steps[-1]}")
+        wanted.append(min(steps, key=lambda known: abs(known - step)))
+    shown, walls = bodies.bodies(path, wanted), bodies.walls(folder)
+    view = maps.View(shown, arguments.magnify, arguments.section)
+    caption = about(folder) + ("" if name == folder.resolve().name else f"; {name}")
+    if shown[0].dimension == 3:
+        caption += f"; section across {'xyz'[view.axis]} at {view.at:.3g} m"
+    if arguments.magnify != 1:
+        caption += f", displacements drawn {arguments.magnify:g} times as large"
+    if walls:
+        caption += "; grey: walls"
+
+    def drawing(field, view, shown):
+        unit = bodies.UNIT.get(field, titles.degrees if field == "temperature" else "")
+        low, high, colours = maps.limits(field, np.concatenate([b.columns[field] for b in shown]))
+        if arguments.range:
+            low, high = arguments.range
+        return (view, shown, field, (low, high, colours), unit, [titles.of(b.step) for b in shown],
+                caption, walls)
+
+    fields = chosen_fields(arguments, shown, path)
+    for field in fields:
+        maps.draw_map(f"{arguments.out}.{field}.png", *drawing(field, view, shown))
+    if arguments.movie and fields:
+        shown = bodies.bodies(path, steps)
+        view = maps.View(shown, arguments.magnify, arguments.section)
+        maps.draw_movie(f"{arguments.out}.movie.mp4", *drawing(fields[0], view, shown))
+
+
+def draw_events(path, out, degrees):
+    """The rose and the numbers, against the temperature, or time where that is the same."""
+    events = cracks.Events(path)
+    if len(events) < 2:
+        return
+    radius = cracks.REACH * events.spacing() or np.inf
+    edges, counts, _, _ = cracks.rose(events, radius, BINS)
+    cracks.draw_rose(f"{out}.rose.png", edges, counts)
+    print(f"{out}.rose.png")
+    heated = np.ptp(events.temperature) > 0
+    name = f"temperature_{degrees}".rstrip("_") if heated else "time_s"
+    x = events.temperature if heated else events.time
+    order = np.argsort(x, kind="stable")
+    shear = np.cumsum(events.shear[order])
+    total = np.arange(1, len(x) + 1)
+    curves.draw_curves(f"{out}.events.png",
+                       {name: x[order], "all_broken_bonds": total, "in_tension": total - shear,
+                        "in_shear": shear, "energy_of_the_bonds_J": np.cumsum(events.energy[order])},
+                       "break events, added up")
+
+
+def draw_tables(folder, out, known):
+    title = folder.resolve().name
+    for name, (columns, remark) in known.items():
+        curves.draw_curves(f"{out}.{name}.png", columns, f"{title}, {name}.txt" + (f"\n{remark}" if remark else ""))
+    for path in sorted(folder.glob("profile*.txt")):
+        names, found = lammps_files.profiles(path)
+        curves.draw_profiles(f"{out}.{path.stem}.png", names, found, f"{title}, {path.name}")
+    log = folder / "log.lammps"
+    if log.exists() and "\n   Step" in log.read_text(errors="replace"):
+        columns = lammps_files.log(log)
+        first = next(name for name in columns if name != "Step")
+        energies = {name: column for name, column in columns.items() if name.endswith("_J")}
+        if energies and first not in energies:
+            curves.draw_curves(f"{out}.energy.png", {first: columns[first], **energies},
+                               f"{title}, energies")
+
+
+def main(words):
+    parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0], add_help=False)
+    parser.add_argument("folder", nargs="?")
+    parser.add_argument("--field", nargs="+")
+    parser.add_argument("--step", nargs="+", type=int)
+    parser.add_argument("--magnify", type=float, default=1.0)
+    parser.add_argument("--section")
+    parser.add_argument("--range", nargs=2, type=float)
+    parser.add_argument("--movie", action="store_true")
+    parser.add_argument("--maps", action="store_true")
+    parser.add_argument("--out")
+    parser.add_argument("-h", "--help", action="store_true")
+    arguments = parser.parse_args(words)
+    if arguments.help or not arguments.folder:
+        sys.exit(__doc__)
+    folder = Path(arguments.folder)
+    if not folder.is_dir():
+        stop(f"there is no folder {folder}")
+    if arguments.section:
+        axis, _, at = arguments.section.partition("=")
+        if axis not in ("x", "y", "z") or (at and not lammps_files.is_number(at)):
+            stop(f"--section {arguments.section}: give x, y or z, with =VALUE behind it or not")
+    arguments.out = arguments.out or str(folder / "plot")
+    known = tables(folder)
+    dumps = [path for path in sorted(folder.glob("dump.*")) if bodies.steps(path)]
+    events = folder / "events.txt"
+    if not dumps and not known and not events.exists():
+        stop(f"{folder} has no dump.* of particles, no table *.txt and no events.txt: run an input there")
+    titles, out = Titles(folder, known), arguments.out
+    for path in dumps:
+        name = path.name[len("dump."):]
+        arguments.out = out if len(dumps) == 1 else f"{out}.{name}"
+        draw_maps(folder, path, name, arguments, titles)
+    if not arguments.maps:
+        draw_tables(folder, out, known)
+        if events.exists():
+            draw_events(events, out, titles.degrees)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

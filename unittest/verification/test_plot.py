@@ -1,0 +1,121 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""tools/plot.py on a coarse examples/uniaxial: the pictures are there, small, and show both platens;
+each pixel of a map has the value of the nearest particle, a body has its area, a section through a
+wall of triangles its line; wrong folders, steps and columns are told in one line."""
+
+import sys
+
+from tmsph_testing import *
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt
+from plotting import bodies, maps
+
+EXAMPLE = ("examples/uniaxial/in.uniaxial", "potentials/granite.tmsph")    # it includes the second
+GREY = 105             # of walls
+LARGEST = 150_000      # bytes of a picture
+
+report = Report()
+folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
+
+
+def plot(*words, fails=False):
+    done = subprocess.run([sys.executable, ROOT / "tools/plot.py", *map(str, words)], text=True,
+                          capture_output=True)
+    if (done.returncode != 0) != fails:
+        raise RuntimeError(f"plot.py {words}: {done.stdout}{done.stderr}")
+    return done.stderr if fails else done.stdout
+
+
+def example():
+    scene = Script("variable dx index 2.5e-3\nlog log.lammps\nshell cd examples/uniaxial\n"
+                   "include in.uniaxial\nshell cd ../..\nlog none",
+                   {name: (ROOT / name).read_text() for name in EXAMPLE})
+    run = scene.run(keep="examples/uniaxial/*")
+    for name, data in run.kept.items():
+        (folder / name).write_bytes(data)
+    (folder / "log.lammps").write_text(run.log)
+
+
+def pictures():
+    out = plot(folder, "--magnify", 20)
+    names = ["damage", "displacement", "s1", "s3", "load", "energy"]
+    report.true("pictures", set(out.split()) == {str(folder / f"plot.{name}.png") for name in names},
+                f"{len(names)}")
+    for name in names:
+        path = folder / f"plot.{name}.png"
+        picture = plt.imread(path)
+        report.true(f"{name}: a picture with more than lines", path.stat().st_size < LARGEST
+                    and min(picture.shape[:2]) > 200
+                    and len(np.unique(picture.reshape(-1, picture.shape[2]), axis=0)) > 10,
+                    f"{path.stat().st_size} bytes")
+    picture = (255 * plt.imread(folder / "plot.s1.png")[..., :3]).round()
+    grey = (np.abs(picture - GREY) < 8).all(axis=2).sum(axis=1) > 0.3 * picture.shape[1]
+    report.true("platens in the map", np.count_nonzero(np.diff(grey.astype(int)) == 1) == 2, "two")
+    plot(folder, "--maps", "--field", "damage", "--step", 0, 2000, "--out", folder / "two")
+    one, two = (plt.imread(folder / name).shape[1] for name in ("plot.damage.png", "two.damage.png"))
+    report.above("two steps side by side: width over that of one", two / one, 1.3)
+
+
+def body(X, u=0.0, **columns):
+    names = ["id", "x", "y", "z", "ux", "radius", *columns]
+    ids = np.arange(1, len(X) + 1)
+    table = [ids, *X.T, np.full(len(X), u), np.full(len(X), 0.5), *columns.values()]
+    return bodies.Body(0, names, np.stack(table, axis=1))
+
+
+def pixels():
+    """A square lattice of spacing 1 and a cubic one: owners of pixels are the nearest particles."""
+    X = np.array([[i, j, 0.0] for i in range(8) for j in range(6)])
+    for what, X, section in (("plane", X, None), ("cube", np.vstack([X + [0, 0, k] for k in range(5)]), "z=1.2")):
+        shown = body(X)
+        view = maps.View([shown], 1.0, section)
+        owner = view.owners(shown)
+        size = (view.high - view.low).max() / maps.PIXELS
+        report.within(f"{what}: area of all pixels over that of the body",
+                      np.count_nonzero(owner >= 0) * size**2 / 48, 0.95, 1.3)
+        row, column = np.nonzero(owner >= 0)
+        place = view.low + (np.stack([column, row], axis=1) + 0.5) * size
+        report.below(f"{what}: farthest pixel from its particle in x or y",
+                     np.abs(place - X[owner[row, column], :2]).max(), 0.75)
+        if section:
+            report.true(f"{what}: layer", set(X[owner[owner >= 0], 2]) == {1.0}, "the nearest")
+    view = maps.View([body(X, u=0.5)], 3.0, None)
+    report.below("magnified: the view goes along", abs(view.low[0] - (-0.5 * maps.NEAR + 1.0)), 1e-9)
+
+
+def units():
+    triangle = np.array([[0, 0, -1], [0, 0, 3], [4, 0, 3.0]])
+    cut = np.array(sorted(map(list, next(bodies.lines([triangle], 2, 1.0)))))
+    report.true("section of a wall", np.allclose(cut, [[0, 0, 1], [2, 0, 1]]), "a line")
+    found = [bodies.scaled(unit, largest) for unit, largest in
+             (("m", 0.002), ("m", 30), ("m", 4000), ("Pa", 3e7), ("m2", 3e-5), ("C", 200), ("", 9e9))]
+    right = [(1e3, "mm"), (1, "m"), (1, "m"), (1e-6, "MPa"), (1e6, "mm\u00b2"), (1, "\u00b0C"), (1, "")]
+    report.true("units", all(abs(a / b - 1) < 1e-12 and x == y for (a, x), (b, y) in zip(found, right)),
+                " ".join(unit for _, unit in found))
+
+
+def wrong():
+    (folder / "empty").mkdir()
+    for words, text in (((folder / "nowhere",), "no folder"), ((folder / "empty",), "run an input there"),
+                        ((folder, "--field", "heat"), "no column heat"),
+                        ((folder, "--step", 10**9), "its frames are"),
+                        ((folder, "--section", "w"), "give x, y or z")):
+        said = plot(*words, fails=True)
+        report.true(f"plot.py {' '.join(map(str, words[1:]))}", text in said and said.count("\n") == 1,
+                    said.strip())
+
+
+try:
+    example()
+    pictures()
+    pixels()
+    units()
+    wrong()
+finally:
+    shutil.rmtree(folder)
+report.finish()
