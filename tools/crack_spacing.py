@@ -90,19 +90,24 @@ def table(title, plate):
 def plot(out, plates):
     import matplotlib
     matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    figure, axes = plt.subplots(len(plates), 1, squeeze=False, figsize=(9, 3.7 * len(plates)))
+    from matplotlib import colors, pyplot as plt
+    from plotting import maps
+    from plotting.save import save
+    figure, axes = plt.subplots(len(plates), 1, squeeze=False, figsize=(7, 2.7 * len(plates) + 0.6),
+                                layout="constrained")
+    cmap, norm = maps.colours("damage"), colors.Normalize(0, maps.DAMAGED)
     for ax, (title, plate) in zip(axes[:, 0], plates):
-        size = (530 * plate.spacing / plate.length) ** 2    # square points
-        ax.scatter(plate.x, plate.y, c=plate.damage, s=size, cmap="inferno_r", vmin=0, vmax=0.6,
-                   linewidths=0)
-        ax.set_title(title)
+        size = (370 * plate.spacing / plate.length) ** 2    # square points
+        ax.scatter(plate.x, plate.y, c=plate.damage, s=size, cmap=cmap, norm=norm, linewidths=0)
+        ax.set_title(title, fontsize="medium")
         ax.set_aspect("equal")
         ax.set_xlim(0, plate.length)
         ax.set_ylim(0, plate.width)
-        ax.set_xlabel("mm")
-    figure.tight_layout()
-    figure.savefig(out, dpi=80)
+        ax.set_ylabel("mm")
+    axes[-1, 0].set_xlabel("mm")
+    figure.colorbar(plt.cm.ScalarMappable(norm, cmap), ax=list(axes[:, 0]), location="bottom", aspect=40,
+                    shrink=0.8, extend="max", label="damage: share of broken bonds")
+    save(figure, out)
 
 
 def main(arguments):

@@ -4,17 +4,15 @@
 
 usage: montage.py OUT.png TITLE=PICTURE.png [TITLE=PICTURE.png ...]
 
-The picture in the README:
-    ./tmsph run examples/disc/in.disc
-    cd examples/disc
-    ../../tools/montage.py ../../doc/images/disc.png 120\\ C=image.120.png 160\\ C=image.160.png \\
-        230\\ C=image.230.png 260\\ C=image.260.png
+The picture in doc/output.md is made with it: see cracks.py.
 """
 import sys
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+
+from plotting.save import save
 
 
 def main(arguments):
@@ -27,7 +25,7 @@ def main(arguments):
         ax.set_title(title)
         ax.axis("off")
     figure.tight_layout(pad=0.3)
-    figure.savefig(out, dpi=100, bbox_inches="tight")
+    save(figure, out)
 
 
 if __name__ == "__main__":

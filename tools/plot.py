@@ -20,7 +20,7 @@ options:
   --step N ...        draw the frames nearest to these steps, side by side (default: the last)
   --magnify M         draw displacements M times as large
   --section AXIS[=A]  of a 3-D body: across the axis x, y or z, at A m (default: z, in the middle)
-  --range LOW HIGH    of the colours, in the units of the dump
+  --range=LOW:HIGH    of the colours, in the units of the dump
   --movie             all frames of the first field as a movie
   --maps              maps only
   --out PREFIX        (default FOLDER/plot)
@@ -123,7 +123,7 @@ def draw_maps(folder, path, name, arguments, titles):
         wanted.append(min(steps, key=lambda known: abs(known - step)))
     shown, walls = bodies.bodies(path, wanted), bodies.walls(folder)
     view = maps.View(shown, arguments.magnify, arguments.section)
-    caption = about(folder) + ("" if name == folder.resolve().name else f"; {name}")
+    caption = about(folder) + (f"; {name}" if name else "")
     if shown[0].dimension == 3:
         caption += f"; section across {'xyz'[view.axis]} at {view.at:.3g} m"
     if arguments.magnify != 1:
@@ -193,7 +193,7 @@ def main(words):
     parser.add_argument("--step", nargs="+", type=int)
     parser.add_argument("--magnify", type=float, default=1.0)
     parser.add_argument("--section")
-    parser.add_argument("--range", nargs=2, type=float)
+    parser.add_argument("--range")
     parser.add_argument("--movie", action="store_true")
     parser.add_argument("--maps", action="store_true")
     parser.add_argument("--out")
@@ -208,6 +208,11 @@ def main(words):
         axis, _, at = arguments.section.partition("=")
         if axis not in ("x", "y", "z") or (at and not lammps_files.is_number(at)):
             stop(f"--section {arguments.section}: give x, y or z, with =VALUE behind it or not")
+    if arguments.range:
+        low, _, high = arguments.range.partition(":")
+        if not (lammps_files.is_number(low) and lammps_files.is_number(high)) or float(low) >= float(high):
+            stop(f"--range={arguments.range}: give LOW:HIGH, such as --range=-1e7:1e7")
+        arguments.range = float(low), float(high)
     arguments.out = arguments.out or str(folder / "plot")
     known = tables(folder)
     dumps = [path for path in sorted(folder.glob("dump.*")) if bodies.steps(path)]
@@ -216,8 +221,8 @@ def main(words):
         stop(f"{folder} has no dump.* of particles, no table *.txt and no events.txt: run an input there")
     titles, out = Titles(folder, known), arguments.out
     for path in dumps:
-        name = path.name[len("dump."):]
-        arguments.out = out if len(dumps) == 1 else f"{out}.{name}"
+        name = path.name[len("dump."):] if len(dumps) > 1 else ""
+        arguments.out = f"{out}.{name}" if name else out
         draw_maps(folder, path, name, arguments, titles)
     if not arguments.maps:
         draw_tables(folder, out, known)

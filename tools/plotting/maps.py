@@ -15,7 +15,7 @@ PIXELS = 700           # along the longer side of a body
 # that makes a straight edge, 1.05 to 1.13 from their centres; in radii
 NEAR = 1.13
 BETWEEN = {2: (1.45, 1, 2.3), 3: (1.75, 2, 2.5)}    # corner, which other one, how far that is at most
-LEVELS = 24            # colours
+LEVELS = 25            # colours: odd, so that zero has one between two signs
 DAMAGED = 0.6          # beside a straight crack damage is 0.4, where cracks meet more
 PANEL = 3.3            # width of a picture, inches
 
@@ -59,7 +59,7 @@ def limits(field, values):
         return 0.0, DAMAGED, "damage"
     if model.UNIT.get(field) == "Pa" and field not in ("strength", "vonmises"):
         most = np.percentile(np.abs(values), 99.5) or 1.0
-        return -most, most, "RdBu_r"
+        return -most, most, "coolwarm"
     low, high = np.percentile(values, 0.1), np.percentile(values, 99.9)
     return low, high if high > low else low + 1.0, "inferno" if field == "temperature" else "viridis"
 

@@ -61,6 +61,17 @@ def pictures():
     report.above("two steps side by side: width over that of one", two / one, 1.3)
 
 
+def walls_for_paraview():
+    command = [sys.executable, ROOT / "tools/to_vtk.py", folder / "dump.uniaxial", "--walls",
+               folder / "dump.walls", "--out", folder / "vtk"]
+    subprocess.run(command, check=True, capture_output=True)
+    listed = re.findall(r'file="(.*?)"', (folder / "vtk.walls.pvd").read_text())
+    sizes = {re.search(r'NumberOfPoints="(\d+)" NumberOfCells="(\d+)"', (folder / name).read_text()).groups()
+             for name in listed}
+    report.true("walls for ParaView: two lines in each frame",
+                sizes == {("4", "2")} and len(listed) == len(read_dump(folder / "dump.uniaxial")), f"{len(listed)}")
+
+
 def body(X, u=0.0, **columns):
     names = ["id", "x", "y", "z", "ux", "radius", *columns]
     ids = np.arange(1, len(X) + 1)
@@ -104,6 +115,7 @@ def wrong():
     for words, text in (((folder / "nowhere",), "no folder"), ((folder / "empty",), "run an input there"),
                         ((folder, "--field", "heat"), "no column heat"),
                         ((folder, "--step", 10**9), "its frames are"),
+                        ((folder, "--range=2:1"), "give LOW:HIGH"),
                         ((folder, "--section", "w"), "give x, y or z")):
         said = plot(*words, fails=True)
         report.true(f"plot.py {' '.join(map(str, words[1:]))}", text in said and said.count("\n") == 1,
@@ -113,6 +125,7 @@ def wrong():
 try:
     example()
     pictures()
+    walls_for_paraview()
     pixels()
     units()
     wrong()
