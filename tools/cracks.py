@@ -179,18 +179,24 @@ def save(figure, path):
 
 
 def crack_length(arguments):
-    """Temperatures and crack lengths from the table of fix ave/time or the log."""
+    """Temperatures and crack lengths from the table of fix ave/time or the log, and their units as
+    the names of the columns tell them."""
     path = arguments.curve or arguments.log
     columns = (lammps_files.averages if arguments.curve else lammps_files.log)(path)
     pairs = [arguments.columns] if arguments.columns else [("temperature", "crack_area"),
                                                            ("f_heat", "c_crack[3]")]
-    bare = {lammps_files.quantity(name)[0]: column for name, column in columns.items()}
-    for T, area in pairs:
-        for known in (columns, bare):
-            if T in known and area in known:
-                return known[T], known[area] / arguments.thickness
+    bare = {lammps_files.quantity(name)[0]: name for name in columns}
+    for pair in pairs:
+        T, area = (name if name in columns else bare.get(name) for name in pair)
+        if T and area:
+            units = [lammps_files.UNITS.get(lammps_files.quantity(name)[1], "") for name in (T, area)]
+            return columns[T], columns[area] / arguments.thickness, units
     stop(f"{path} has the columns {' '.join(columns)}: say with --columns which of them are "
          "temperature and crack area")
+
+
+def with_unit(what, unit):
+    return f"{what}, {unit}" if unit else what
 
 
 def main(words):
@@ -229,7 +235,10 @@ def main(words):
         table(f"{arguments.out}.dip.csv", ("from_degrees", "to_degrees", "events"),
               (tilts[:-1], tilts[1:], np.histogram(dip, tilts)[0]))
 
-    x = getattr(events, arguments.against)
+    curve = crack_length(arguments) if arguments.curve or arguments.log else None
+    x, label = getattr(events, arguments.against), arguments.against
+    if curve and label == "temperature":
+        label = with_unit(label, curve[2][0])
     order = np.argsort(x, kind="stable")
     total, shear = np.arange(1, len(events) + 1), np.cumsum(events.shear[order])
     table(f"{arguments.out}.events.csv",
@@ -237,7 +246,7 @@ def main(words):
           (total, total - shear, shear, np.cumsum(events.energy[order]), *events.ids[order].T,
            events.step[order], events.time[order], *events.place[order].T, *events.bond[order].T,
            events.temperature[order]))
-    draw_curves(f"{arguments.out}.events.png", x[order], arguments.against,
+    draw_curves(f"{arguments.out}.events.png", x[order], label,
                 (("all", total, "black"), ("tension", total - shear, COLOURS[0]),
                  ("shear", shear, COLOURS[1])), "broken bonds")
 
@@ -245,11 +254,13 @@ def main(words):
     print(f"first at {arguments.against} {x.min():g}, last at {x.max():g}; "
           f"energy of the bonds {events.energy.sum():g}")
     print(f"directions within {radius:g}; {directionless} events have none")
-    if arguments.curve or arguments.log:
-        T, length = crack_length(arguments)
+    if curve:
+        T, length, (degrees, area) = curve
         table(f"{arguments.out}.length.csv", ("temperature", "length"), (T, length))
-        draw_curves(f"{arguments.out}.length.png", T, "temperature", ((None, length, "black"),),
-                    "crack length" if events.dimension == 2 else "crack area")
+        what = (("crack area", area) if events.dimension == 3 else
+                ("crack length", area.removesuffix("\u00b2")))
+        draw_curves(f"{arguments.out}.length.png", T, with_unit("temperature", degrees),
+                    ((None, length, "black"),), with_unit(*what))
         print(f"crack length at the end: {length[-1]:g}")
 
 
