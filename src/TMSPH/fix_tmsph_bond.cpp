@@ -378,12 +378,7 @@ void FixTMSPHBond::lay_out()
         slices.weight[at] = 0.0f;
         if (!pad && k < npartner[i]) {
           j = find_partner(i, partner[i][k]);
-          if (j < 0 && state[i][k] == INTACT)
-            error->one(FLERR,
-                       "Particle {} lost its bonded partner {} on step {}: it moved farther than "
-                       "the ghost cutoff {}; raise it with comm_modify cutoff or let the bond "
-                       "break",
-                       atom->tag[i], partner[i][k], update->ntimestep, comm->get_comm_cutoff());
+          if (j < 0 && state[i][k] == INTACT) stop_lost(i, partner[i][k]);
           if (j >= 0 && state[i][k] == INTACT) slices.weight[at] = weight(i, j);
         }
         slices.partner[at] = j < 0 ? i : j;
@@ -392,6 +387,23 @@ void FixTMSPHBond::lay_out()
   }
   laid_out = true;
   version++;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::stop_lost(int i, tagint partner) const
+{
+  const bool careless = update->whichflag == 2 &&
+      strcmp(update->minimize_style, "tmsph/lbfgs") != 0;
+  if (careless)
+    error->one(FLERR,
+               "Particle {} lost its bonded partner {} in iteration {} of min_style {}, which moves "
+               "particles too far: use 'min_style tmsph/lbfgs'",
+               atom->tag[i], partner, update->ntimestep, update->minimize_style);
+  error->one(FLERR,
+             "Particle {} lost its bonded partner {} on step {}: it moved farther than the ghost "
+             "cutoff {}; raise it with comm_modify cutoff or let the bond break",
+             atom->tag[i], partner, update->ntimestep, comm->get_comm_cutoff());
 }
 
 /* ---------------------------------------------------------------------- */

@@ -40,6 +40,8 @@ struct TMSPHBondUser {
   virtual const double *step_velocity(int i) const = 0;
   /// the forces of a setup are there: check and tell
   virtual void run_begins() = 0;
+  /// a run or minimization is over
+  virtual void run_ends() = 0;
 
  protected:
   ~TMSPHBondUser() = default;    // never owned through this interface
@@ -142,6 +144,9 @@ class FixTMSPHBond : public Fix {
   double spacing(int i) const;
   /// that the volumes imply in 2-D, else 1; w_ij sums up in proportion to it
   double body_thickness() const { return thickness; }
+  /// square of the distance from local particle i to the nearest partner in the reference state; 0
+  /// if none is at hand
+  double nearest_square(int i) const;
 
  private:
   TMSPHBondUser *user;
@@ -181,6 +186,7 @@ class FixTMSPHBond : public Fix {
   void send_references();
   void lay_out();
   int find_partner(int, tagint) const;
+  void stop_lost(int, tagint) const;
   void check_families() const;
   double largest_kappa() const;
   double find_thickness() const;

@@ -66,6 +66,21 @@ double FixTMSPHBond::spacing(int i) const
                                 : std::sqrt(atom->vfrac[i] / thickness);
 }
 
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHBond::nearest_square(int i) const
+{
+  double square = HUGE_VAL, X[3];
+  for (int k = 0; k < npartner[i]; k++) {
+    const int j = partner_index(i, k);
+    if (j == i || state[i][k] == UNBONDED) continue;
+    reference_vector(i, j, X);
+    const double across = domain->dimension == 3 ? X[2] * X[2] : 0.0;
+    square = std::min(square, X[0] * X[0] + X[1] * X[1] + across);
+  }
+  return square < HUGE_VAL ? square : 0.0;
+}
+
 /* ----------------------------------------------------------------------
    In 2-D the volume is an area times the thickness. The area is about the square of
    the distance to the nearest partner: near 1, the thickness is 1.
@@ -77,14 +92,8 @@ double FixTMSPHBond::find_thickness() const
   if (domain->dimension == 3) return 1.0;
   std::vector<double> volumes, squares;
   for (int i = 0; i < atom->nlocal; i++) {
-    double nearest = HUGE_VAL, X[3];
-    for (int k = 0; k < npartner[i]; k++) {
-      const int j = partner_index(i, k);
-      if (j == i || state[i][k] == UNBONDED) continue;
-      reference_vector(i, j, X);
-      nearest = std::min(nearest, X[0] * X[0] + X[1] * X[1]);
-    }
-    if (nearest == HUGE_VAL) continue;
+    const double nearest = nearest_square(i);
+    if (nearest == 0.0) continue;
     volumes.push_back(atom->vfrac[i]);
     squares.push_back(nearest);
   }

@@ -139,6 +139,7 @@ int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
 void FixTMSPHBond::post_run()
 {
   keep_velocities();
+  user->run_ends();
 }
 
 /* ---------------------------------------------------------------------- */

@@ -91,8 +91,6 @@ void FixTMSPHHeat::setup_pre_force(int /*vflag*/)
                crosses ? "contact" : "friction");
   find_norms();
   prepare(0.0);
-  if (!told) tell();
-  told = true;
 }
 
 /* ----------------------------------------------------------------------

@@ -17,13 +17,14 @@ FixStyle(tmsph/heat,FixTMSPHHeat);
 #include "tmsph_heat_clock.h"
 #include "tmsph_own_surface.h"
 #include "tmsph_property_table.h"
+#include "tmsph_report.h"
 
 #include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
 
-class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
+class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
  public:
   /// heat that one particle exchanges with what is outside the body
   struct Exchange {
@@ -59,6 +60,7 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
+  void tell() override;
   int reach(int most, double /*largest_change*/) override { return most; }
   int advance(int most, double largest_change) override;
 
@@ -169,7 +171,6 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock {
   void rates(const std::vector<double> &y, std::vector<double> &rate);
   void put_temperatures(const std::vector<double> &y);
   double content() const;
-  void tell();
 };
 
 }    // namespace LAMMPS_NS

@@ -10,9 +10,11 @@
 #include "error.h"
 #include "fix_store_atom.h"
 #include "fix_tmsph_bond.h"
+#include "force.h"
 #include "group.h"
 #include "input.h"
 #include "modify.h"
+#include "pair_tmsph.h"
 #include "tmsph_conduction.h"
 #include "tmsph_region_surface.h"
 #include "update.h"
@@ -176,6 +178,20 @@ void FixTMSPHHeatBoundary::init()
   if (!input->variable->equalstyle(variable_index) && !input->variable->atomstyle(variable_index))
     error->all(FLERR, "Variable {} of fix tmsph/heat/boundary must be of equal or atom style",
                variable);
+}
+
+/* ----------------------------------------------------------------------
+   without conduction heat stays where it is put
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::tell()
+{
+  if (heat || group->count(igroup) == 0 || group->count(igroup) == atom->natoms) return;
+  for (Fix *fix : modify->get_fix_by_style("^tmsph/heat/boundary$"))
+    if (fix->igroup != igroup) return;    // parts of the body have temperatures of their own
+  auto pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
+  pair->warn_once(fmt::format("Only group {} of fix tmsph/heat/boundary {} is heated: for heat to go "
+                              "on from there add a fix tmsph/heat", group->names[igroup], id));
 }
 
 /* ---------------------------------------------------------------------- */

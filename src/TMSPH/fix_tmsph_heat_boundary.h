@@ -18,7 +18,7 @@ FixStyle(tmsph/heat/boundary,FixTMSPHHeatBoundary);
 
 namespace LAMMPS_NS {
 
-class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock {
+class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock, public TMSPHReporter {
  public:
   FixTMSPHHeatBoundary(class LAMMPS *, int, char **);
   ~FixTMSPHHeatBoundary() override;
@@ -41,6 +41,7 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock {
   /// what the particles at the surface exchange now; appends (collective)
   void list_exchanges(FixTMSPHHeat &, std::vector<FixTMSPHHeat::Exchange> &);
   int reach(int, double) override;
+  void tell() override;
   bool has_account = false;    ///< in the books of fix tmsph/heat
 
  private:

@@ -36,6 +36,15 @@ static constexpr double RESTART_FORMAT = 2.0;
 
 static constexpr double WAVE_PASSAGES = 50.0;
 
+// shorter steps, as parts of the stable one, show that time was not scaled
+
+static constexpr double LEAST_STEP = 1.0e-3;
+
+// diffusivities of solids in m2/s: silver has 1.7e-4, plastics have 1e-7; only diamond and graphite
+// are above (CRC Handbook of Chemistry and Physics)
+
+static constexpr double LEAST_DIFFUSIVITY = 1.0e-8, MOST_DIFFUSIVITY = 4.0e-4;
+
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
@@ -277,33 +286,56 @@ int FixTMSPHHeat::parse_conductivity(int iarg, int narg, char **arg, Substance &
 
 void FixTMSPHHeat::tell()
 {
+  using namespace TMSPH;
+  const UnitNames unit(update->unit_style);
+  TextTable table({"type", heading("diffusivity", unit.diffusivity)});
   double diffusivity = 0.0, slowest = HUGE_VAL, size = 0.0;
+  bool strange = false;
   for (int type = 1; type <= atom->ntypes; type++) {
     const Substance &s = substances[type];
     const PairTMSPH::Material &m = pair->material(type);
-    diffusivity = std::max(diffusivity, s.conductivity.largest() /
-                                            (m.density * s.specific_heat.smallest()));
-    slowest = std::min(slowest, std::sqrt(m.elastic.wave_modulus / m.density));
+    const double largest = s.conductivity.largest() / (m.density * s.specific_heat.smallest());
+    table.add({std::to_string(type), digits(largest)});
+    diffusivity = std::max(diffusivity, largest);
+    slowest = std::min(slowest, PairTMSPH::wave_speed(m));
+    const double metric = unit.square_meters_per_second * largest;
+    if (metric == 0.0 || (metric > LEAST_DIFFUSIVITY && metric < MOST_DIFFUSIVITY)) continue;
+    if (!strange && pair->plausible(type))
+      pair->warn_once(fmt::format("Hardly a solid has a thermal diffusivity of {:.3g} {} as type {}: give "
+                                  "fix tmsph/heat conductivity and specific/heat in the units of the "
+                                  "input, in units si W/m/K and J/kg/K", largest, unit.diffusivity,
+                                  type));
+    strange = true;
   }
   for (int k = 0; k < domain->dimension; k++) size = std::max(size, domain->prd[k]);
-  double bytes = memory_usage(), all_bytes;
-  MPI_Allreduce(&bytes, &all_bytes, 1, MPI_DOUBLE, MPI_SUM, world);
+  const double step = every * time_scale * update->dt;
+  if (!told) {
+    double bytes = memory_usage(), all_bytes;
+    MPI_Allreduce(&bytes, &all_bytes, 1, MPI_DOUBLE, MPI_SUM, world);
+    if (comm->me == 0)
+      utils::logmesg(lmp,
+                     "TMSPH heat: {}, {:.0f} bytes per particle, 1 double sent per ghost and stage\n"
+                     "  stable explicit step {:.4g}, heat step {:.4g} every {} steps, {:.3g} of it\n{}",
+                     rkl2 ? "RKL2" : "explicit", all_bytes / std::max<bigint>(atom->natoms, 1),
+                     stable, step, every, step / stable, table.text());
+  }
+  told = true;
+  if (update->whichflag != 1 || update->nsteps == 0 || strange) return;
+
+  const double by_the_end = covered + update->nsteps * time_scale * update->dt;
+  if (step < LEAST_STEP * stable && by_the_end < stable)
+    pair->warn_once(fmt::format(
+        "Heat is hardly conducted in this run, which covers {:.2g} of the {:.2g} in which it crosses "
+        "a spacing: give fix tmsph/heat a 'time/scale' of {:.1g} or more",
+        by_the_end, stable, 10.0 * LEAST_STEP * stable / (every * update->dt)));
   bool integrates = false;
   for (const auto &fix : modify->get_fix_list()) integrates = integrates || fix->time_integrate;
-  if (comm->me) return;
-  const double step = every * time_scale * update->dt;
-  utils::logmesg(lmp,
-                 "TMSPH heat: {}, {:.0f} bytes per particle, 1 double sent per ghost and stage\n"
-                 "  stable explicit step {:.4g}, heat step {:.4g} every {} steps\n",
-                 rkl2 ? "RKL2" : "explicit", all_bytes / std::max<bigint>(atom->natoms, 1), stable,
-                 step, every);
   const double conduction = size * size / (time_scale * diffusivity), wave = size / slowest;
-  if (integrates && update->whichflag == 1 && update->nsteps > 0 &&
-      conduction < WAVE_PASSAGES * wave)
-    error->warning(FLERR,
-                   "Heat crosses the body in {:.3g}, waves in {:.3g}: with this time/scale of fix "
-                   "tmsph/heat inertia matters; keep it below {:.2g}",
-                   conduction, wave, time_scale * conduction / (WAVE_PASSAGES * wave));
+  if (integrates && conduction < WAVE_PASSAGES * wave)
+    pair->warn_once(fmt::format(
+        "Heat crosses the body in {:.3g}, waves in {:.3g}: with this time/scale of fix tmsph/heat "
+        "inertia matters; keep it below {:.2g}",
+        conduction, wave, time_scale * conduction / (WAVE_PASSAGES * wave)));
 }
 
 /* ---------------------------------------------------------------------- */

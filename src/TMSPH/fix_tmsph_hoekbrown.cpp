@@ -247,7 +247,11 @@ void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touc
   follow_layout();
   armed = false;
   find_due(stress);
-  if (relative > 0.0) keep_most_loaded();
+  if (relative > 0.0)
+    keep_most_loaded();
+  else if (fresh)
+    warn_of_hot_start();
+  fresh = false;
   relative = 0.0;
   for (const Due &bond : due_bonds) {
     const int i = bond.i, j = bonds->partner_index(i, bond.k);
@@ -272,13 +276,18 @@ void FixTMSPHHoekBrown::test_next(double fraction)
 double FixTMSPHHoekBrown::tensile_strength() const
 {
   double smallest = HUGE_VAL;
-  for (int type = 1; type <= atom->ntypes; type++) {
-    const Rock &rock = rocks[type];
-    const Extremes pull = {rock.strength, 0.0};
-    smallest = std::min(smallest, rock.strength /
-                                      TMSPH::load_factor(pull, rock.strength, rock.constants));
-  }
+  for (int type = 1; type <= atom->ntypes; type++)
+    smallest = std::min(smallest, tensile_strength(type));
   return smallest;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHoekBrown::tensile_strength(int type) const
+{
+  const Rock &rock = rocks[type];
+  const Extremes pull = {rock.strength, 0.0};
+  return rock.strength / TMSPH::load_factor(pull, rock.strength, rock.constants);
 }
 
 /* ----------------------------------------------------------------------

@@ -17,10 +17,11 @@ FixStyle(tmsph/hoekbrown,FixTMSPHHoekBrown);
 #include "pair_tmsph.h"
 #include "tmsph_debris.h"
 #include "tmsph_hoekbrown.h"
+#include "tmsph_report.h"
 
 namespace LAMMPS_NS {
 
-class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
+class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest, public TMSPHReporter {
  public:
   FixTMSPHHoekBrown(class LAMMPS *, int, char **);
   int setmask() override;
@@ -39,6 +40,7 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   bool due() const override { return armed; }
   void break_bonds(const double *, std::vector<int> &) override;
   double repel(double *) override;
+  void tell() override;
 
   /** What a test in equilibrium found, on all processors. */
   struct Test {
@@ -53,6 +55,8 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   const Test &last_test() const { return test; }
   /// the smallest uniaxial tensile strength of a type, without scatter
   double tensile_strength() const;
+  /// and that of one
+  double tensile_strength(int type) const;
 
   /// strengths of the present particles, for the two below (collective)
   void find_strengths();
@@ -90,6 +94,7 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   std::vector<char> beyond;              // [nlocal+nghost] fails with its own stress and strength
   bigint broken[2];                      // in tension, in shear: events recorded here
   bigint broken_now;
+  bool fresh;                            // nothing has been tested yet, in this or an earlier run
   double relative;                       // in equilibrium, of the largest load factor; else 0
   Test test;
   std::vector<Due> due_bonds;
@@ -103,6 +108,7 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest {
   bool may_fail(int i, const double *stress) const;
   void find_due(const double *stress);
   void keep_most_loaded();
+  void warn_of_hot_start();
   void record(const Due &);
   void list_events();
   double largest_load();

@@ -1,7 +1,7 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   Words and restart of fix tmsph/hoekbrown.
+   Words and restart of fix tmsph/hoekbrown, and what it tells of them.
 ------------------------------------------------------------------------- */
 
 #include "fix_tmsph_hoekbrown.h"
@@ -9,9 +9,13 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix_tmsph_bond.h"
+#include "tmsph_report.h"
 #include "tmsph_restart.h"
 #include "tmsph_types.h"
+#include "update.h"
 
+#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -20,12 +24,26 @@ using namespace LAMMPS_NS;
 
 static constexpr double RESTART_FORMAT = 2.0;
 
+// A crack through bonds that break takes 15 sigma^2 dx/(2 E) per area, with sigma the tensile strength
+// and dx the spacing (examples/quench/in.toughness, doc/report/quench.md)
+
+static constexpr double CRACK_ENERGY = 15.0 / 2.0;
+
+// strength over Young's modulus: 1/1000 to 1/100 in rock (Deere, Miller, AFWL-TR-65-116, 1966), 1/10 if
+// there were no flaws
+
+static constexpr double STRONGEST = 1.0 / 20.0, WEAKEST = 1.0e-6;
+
+// of the bonds, on the first step
+
+static constexpr double HOT_START = 0.01;
+
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHHoekBrown::FixTMSPHHoekBrown(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), list(nullptr), debris(lmp),
     rocks(atom->ntypes + 1), all_principals(false), one_rock(true), armed(false), version(-1),
-    broken{0, 0}, broken_now(0), relative(0.0)
+    broken{0, 0}, broken_now(0), fresh(true), relative(0.0)
 {
   scalar_flag = vector_flag = local_flag = 1;
   size_vector = 5;
@@ -116,6 +134,59 @@ void FixTMSPHHoekBrown::parse(int narg, char **arg)
   }
 }
 
+/* ----------------------------------------------------------------------
+   One row for each type, again when it has changed. The toughness is that of the crack energy G,
+   sqrt(E G).
+------------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::tell()
+{
+  using namespace TMSPH;
+  const UnitNames unit(update->unit_style);
+  TextTable table({"type", heading("UCS", unit.pressure), heading("tensile", unit.pressure), "UCS/E",
+                   heading("crack_energy", unit.area_energy), heading("toughness", unit.toughness)});
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const double young = pair->material(type).young, tensile = tensile_strength(type);
+    const double energy = CRACK_ENERGY * tensile * tensile * pair->spacing_of(type) / young;
+    table.add({std::to_string(type), digits(rocks[type].strength), digits(tensile),
+               digits(rocks[type].strength / young), energy > 0.0 ? digits(energy) : "-",
+               energy > 0.0 ? digits(std::sqrt(young * energy)) : "-"});
+  }
+  const std::string rows = table.text();
+  if (!pair->news(rows)) return;
+  if (comm->me == 0)
+    utils::logmesg(lmp, "TMSPH breaking: Hoek-Brown, a crack takes {} tensile^2 spacing/E, its "
+                        "characteristic length is {} spacings\n{}", CRACK_ENERGY, CRACK_ENERGY, rows);
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const double ratio = rocks[type].strength / pair->material(type).young;
+    if (!pair->plausible(type) || (ratio >= WEAKEST && ratio <= STRONGEST)) continue;
+    pair->warn_once(fmt::format("Strength {} of type {} is {:.3g} of its Young's modulus, {}, in rock "
+                                "it is 1e-3 to 1e-2: give both in {}", rocks[type].strength, type,
+                                ratio, pair->material(type).young,
+                                unit.pressure.empty() ? "the same unit" : unit.pressure));
+    return;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   on the first step of all, before the bonds go that are due
+------------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::warn_of_hot_start()
+{
+  double mine[2] = {0.5 * due_bonds.size(), 0.0}, all[2];
+  for (int i = 0; i < atom->nlocal; i++)
+    mine[1] = std::max(mine[1], std::fabs(pair->thermal_strain(i)));
+  MPI_Allreduce(&mine[0], &all[0], 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&mine[1], &all[1], 1, MPI_DOUBLE, MPI_MAX, world);
+  const double part = all[0] / std::max<bigint>(bonds->count_bonds(FixTMSPHBond::INTACT), 1);
+  if (part <= HOT_START || pair->warned()) return;    // that may be the reason
+  pair->warn_once(fmt::format("{:.0f} % of the bonds break on the first step, which is not near "
+                              "equilibrium: {}give 'minimize' before the run", 100.0 * part,
+                              all[1] > 0.0 ? "in pair_coeff give the 'reference' temperature without "
+                                             "stress, or " : ""));
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHHoekBrown::write_restart(FILE *fp)
@@ -138,6 +209,7 @@ void FixTMSPHHoekBrown::restart(char *buf)
   memcpy(counts, buf, sizeof(counts));
   for (int mode = 0; mode < 2; mode++)
     broken[mode] = comm->me == 0 ? (bigint) counts[1 + mode] : 0;
+  fresh = false;
 }
 
 /* ---------------------------------------------------------------------- */

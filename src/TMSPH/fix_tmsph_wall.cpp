@@ -378,24 +378,8 @@ void FixTMSPHWall::setup(int)
     return;
   }
   act(0.0);
-  if (!started) warn_of_overlap();
+  if (!started) check_place();
   started = true;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHWall::warn_of_overlap() const
-{
-  double mine[2] = {}, all[2];
-  for (const Touching &t : touching)
-    for (int p = 0; p < t.places; p++)
-      if (t.penetration[p] > 1.0e-6 * gap_of(t.i)) mine[0] = std::max(mine[0], t.penetration[p]);
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MAX, world);
-  if (all[0] > 0.0 && comm->me == 0)
-    error->warning(FLERR, "Particles overlap wall {} from the start, by up to {:.3g}, and are "
-                          "pushed out: half a cell, half of {}, belongs between a surface particle "
-                          "and a wall", id, all[0],
-                   domain->dimension == 2 ? "(volume/thickness)^(1/2)" : "volume^(1/3)");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -421,7 +405,7 @@ void FixTMSPHWall::min_post_force(int)
   if (!started) evaluate_inputs();
   list_candidates();
   act(0.0);
-  if (!started) warn_of_overlap();
+  if (!started) check_place();
   started = true;
 }
 

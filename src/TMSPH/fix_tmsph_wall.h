@@ -137,7 +137,10 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   void act(double dt);
   void hold(Touching &, double dt, double dragged);
   void drive(double dt);
-  void warn_of_overlap() const;
+  void check_place() const;
+  double depth_in_body(bigint &bonds_cut) const;
+  bool cuts(Point from, Point to) const;
+  bigint in_front() const;
   std::vector<Point> corners() const;
 };
 

@@ -86,7 +86,8 @@ void MinTMSPHLBFGS::setup_style()
 {
   if (nextra_global || nextra_atom)
     error->all(FLERR, "Min style tmsph/lbfgs moves particles only: it cannot serve fix box/relax "
-                      "or other degrees of freedom");
+                      "or other degrees of freedom: use 'min_style cg' with 'min_modify line "
+                      "forcezero' and a dmax of 0.01 spacings");
   for (int n = 0; n < HISTORY + 2 * lbfgs.memory(); n++) fix_minimize->add_vector(3);
 }
 

@@ -21,6 +21,8 @@ PairStyle(tmsph,PairTMSPH);
 #include "tmsph_interface.h"
 
 #include <array>
+#include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -123,8 +125,14 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   bool viscous() const override { return on.viscosity; }
   const double *step_velocity(int i) const override;
   void run_begins() override;
+  void run_ends() override;
 
   const Material &material(int type) const { return materials[type]; }
+  /// of longitudinal waves inside a solid
+  static double wave_speed(const Material &m)
+  {
+    return std::sqrt(m.elastic.wave_modulus / m.density);
+  }
   /// number of stress components per particle in fields(): xx yy xy, or xx yy zz xy xz yz
   int stress_size() const;
   void set_break_test(BreakTest *test) { break_test = test; }
@@ -145,6 +153,16 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   void viscous_heat(std::vector<double> &power);
   /// between particles, from the size of the largest family
   double spacing() const;
+  /// mean distance of the particles of a type to their nearest bonded partners, as reported last;
+  /// 0 if there are none
+  double spacing_of(int type) const { return present[type].spacing; }
+  /// false if the waves in this type are too slow or too fast for any solid
+  bool plausible(int type) const;
+  /// a warning that is given once, however many runs there are
+  void warn_once(const std::string &text);
+  /// true if no style has told this text yet
+  bool news(const std::string &text) { return told.insert(text).second; }
+  bool warned() const { return !warnings.empty(); }
   unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
   /** For outputs between runs, when much may have changed (collective).
@@ -190,6 +208,14 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   double mass_at_estimate, stiffness_at_estimate;    // see matter()
   double stable_dt, intact_dt;    // now, and before bonds broke
   bool reported, reported_timestep;
+  struct Present {                                // of a type, as reported last
+    bigint particles = 0;
+    std::array<double, 5> material{};
+    double volume = 0.0;                          // of all of them
+    double spacing = 0.0, cell = 0.0;             // means of nearest distances and their d-th powers
+  };
+  std::vector<Present> present;                   // [type]
+  std::set<std::string> warnings, told;           // that were given
 
   bool stepped;                                   // the rows hold the velocities of a step or setup
   int prepared_version;                           // layout that the arrays below belong to
@@ -262,9 +288,19 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   void stop_inverted(int);
   void stop_thermal();
   template <int D> double stable_timestep_in();
-  void check_timestep();
+  void check_timestep(const std::string &doubt);
   std::pair<double, double> matter() const;
   void report();
+  bool measure();
+  void tell_materials();
+  std::string doubtful_material() const;
+  std::string doubtful_horizon() const;
+  std::string doubtful_volume() const;
+  std::string doubtful_place() const;
+  std::string doubts() const;
+  void check_groups();
+  void check_expansion();
+  void check_reach() const;
   std::string features() const;     // what this scene uses, in words
   int doubles_per_ghost() const;    // sent by force evaluations
   void send(decltype(FORCE_ROWS));

@@ -46,6 +46,13 @@ PairTMSPH::PairTMSPH(LAMMPS *lmp) :
   manybody_flag = 1;
   no_virial_fdotr_compute = 1;
   centroidstressflag = CENTROID_NOTAVAIL;
+
+  // LAMMPS's default minimizer judges steps by energies, to 1e-8 energy units, which is far too
+  // coarse for what is not atoms. A min_style of the input comes later and stays.
+
+  char *style = (char *) "tmsph/lbfgs";
+  if (strcmp(update->minimize_style, "cg") == 0 && update->minimize_map->count(style))
+    update->create_minimize(1, &style, 0);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -293,7 +300,10 @@ void PairTMSPH::init_style()
   if (!bond_fix)
     bond_fix = dynamic_cast<FixTMSPHBond *>(
         modify->add_fix(fmt::format("{} all tmsph/bond", FixTMSPHBond::ID)));
-  if (!bond_fix->formed()) complete_particles();
+  if (!bond_fix->formed()) {
+    check_reach();
+    complete_particles();
+  }
 }
 
 /* ---------------------------------------------------------------------- */

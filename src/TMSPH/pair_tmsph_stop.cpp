@@ -13,6 +13,7 @@
 #include "update.h"
 
 #include <cmath>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -36,6 +37,16 @@ void PairTMSPH::stop_inverted(int i)
                "what acts on it",
                atom->tag[culprit], update->ntimestep);
   const double *x = atom->x[i];
+  if (update->whichflag == 2 && strcmp(update->minimize_style, "tmsph/lbfgs") != 0)
+    error->one(FLERR,
+               "Particle {} is turned inside out in iteration {} of min_style {}, which moves "
+               "particles too far: use 'min_style tmsph/lbfgs'",
+               atom->tag[i], update->ntimestep, update->minimize_style);
+  if (update->whichflag == 2)
+    error->one(FLERR,
+               "Particle {} at ({:.8g}, {:.8g}, {:.8g}) is turned inside out on step {} while "
+               "equilibrium is looked for: apply the load in smaller steps",
+               atom->tag[i], x[0], x[1], x[2], update->ntimestep);
   error->one(FLERR,
              "Particle {} at ({:.8g}, {:.8g}, {:.8g}) is turned inside out on step {}: the load "
              "is too fast, the time step too long, or the material must be allowed to break (fix "

@@ -1,0 +1,117 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Does a wall stand where it makes sense when it starts: a warning at most, with the remedy.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_wall.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "pair_tmsph.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+static constexpr double ROUND_OFF = 1.0e-6;    // of half a cell
+
+/* ----------------------------------------------------------------------
+   the first of: it stands in the body, behind it, or overlaps its surface
+------------------------------------------------------------------------- */
+
+void FixTMSPHWall::check_place() const
+{
+  const char *edge = domain->dimension == 2 ? "(volume/thickness)^(1/2)" : "volume^(1/3)";
+  bigint cut;
+  const double depth = depth_in_body(cut);
+  if (depth > 0.0) {
+    pair->warn_once(fmt::format("Wall {} stands {:.3g} deep in the body and crosses {} bonds: put it "
+                                "outside, half a cell, half of {}, from the surface particles", id,
+                                depth, cut, edge));
+    return;
+  }
+  if (!both_sides && in_front() == 0) {
+    pair->warn_once(fmt::format("Wall {} has all particles behind it: {}, or use 'side both'", id,
+                                domain->dimension == 2
+                                    ? "what it holds belongs to its left, so swap its ends"
+                                    : "turn its normal to the particles"));
+    return;
+  }
+  double deepest = 0.0, all;
+  for (const Touching &t : touching)
+    for (int p = 0; p < t.places; p++)
+      if (t.penetration[p] > ROUND_OFF * gap_of(t.i)) deepest = std::max(deepest, t.penetration[p]);
+  MPI_Allreduce(&deepest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (all > 0.0)
+    pair->warn_once(fmt::format("Particles overlap wall {} from the start, by up to {:.3g}, and are "
+                                "pushed out: half a cell, half of {}, belongs between a surface "
+                                "particle and a wall", id, all, edge));
+}
+
+/* ----------------------------------------------------------------------
+   A bond between two particles that are both more than half a cell from the wall and on different
+   sides of it has its middle in the body.
+   @param bonds_cut all bonds that cross it
+   @return largest distance of the nearer end of such a bond, plus half a cell; 0: none
+------------------------------------------------------------------------- */
+
+double FixTMSPHWall::depth_in_body(bigint &bonds_cut) const
+{
+  const auto *bonds = pair->bonds();
+  const double horizon = pair->horizon();
+  double mine = 0.0, depth;
+  bigint crossing = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const Point from = motion.to_body(position_of(i));
+    const double distance = shape->distance(from);
+    if (distance > horizon) continue;
+    for (int k = 0; k < bonds->count(i); k++) {
+      const int j = bonds->partner_index(i, k);
+      if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT || !(atom->mask[j] & groupbit)) continue;
+      const Point to = motion.to_body(position_of(j));
+      if (!cuts(from, to)) continue;
+      crossing++;
+      const double nearer = std::min(distance, shape->distance(to));
+      if (nearer > (1.0 + ROUND_OFF) * gap_of(i)) mine = std::max(mine, nearer + gap_of(i));
+    }
+  }
+  MPI_Allreduce(&mine, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(&crossing, &bonds_cut, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  bonds_cut /= 2;
+  return depth;
+}
+
+/* ----------------------------------------------------------------------
+   Bisection for where the side changes: is that on the wall, or beyond its end?
+------------------------------------------------------------------------- */
+
+bool FixTMSPHWall::cuts(Point from, Point to) const
+{
+  static constexpr int HALVINGS = 20;
+  const int side = shape->side_of(from);
+  if (side == shape->side_of(to)) return false;
+  double length = 0.0;
+  for (int a = 0; a < 3; a++) length = std::max(length, std::fabs(to[a] - from[a]));
+  Point middle;
+  for (int k = 0; k < HALVINGS; k++) {
+    for (int a = 0; a < 3; a++) middle[a] = 0.5 * (from[a] + to[a]);
+    (shape->side_of(middle) == side ? from : to) = middle;
+  }
+  WallTouch found[2];
+  return shape->touches(middle, 1.0e-3 * length, 1, found) > 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bigint FixTMSPHWall::in_front() const
+{
+  bigint mine = 0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    mine += (atom->mask[i] & groupbit) && shape->side_of(motion.to_body(position_of(i))) > 0;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all;
+}

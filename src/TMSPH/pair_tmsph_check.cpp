@@ -1,0 +1,200 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Numbers that are allowed but make no sense: a warning each, with the remedy.
+------------------------------------------------------------------------- */
+
+#include "pair_tmsph.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_tmsph_bond.h"
+#include "group.h"
+#include "modify.h"
+#include "tmsph_report.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+// longitudinal waves in m/s: diamond has 18e3 (CRC Handbook of Chemistry and Physics, Speed of
+// sound in various media), light silica aerogels have 100 (Gross, Fricke, J. Non-Cryst. Solids 145
+// (1992) 217)
+
+static constexpr double SLOWEST = 50.0, FASTEST = 20.0e3;
+
+// the linear expansion of solids is between -1e-5 and 3e-4 per degree (polymers; CRC Handbook)
+
+static constexpr double MOST_EXPANSION = 1.0e-3;
+
+// in spacings: with less than two a strain is that of the nearest neighbors alone; with 6 a body is
+// a spacing longer than it is stiff (doc/src/pair_tmsph.rst)
+
+static constexpr double SHORTEST_HORIZON = 2.0, LONGEST_HORIZON = 8.0, ABSURD_HORIZON = 50.0;
+static constexpr double USUAL_HORIZON = 3.015;
+
+// what round-off may take of a spacing: failure is at strains of 1e-4 to 1e-3
+
+static constexpr double POSITION_LOSS = 1.0e-6;
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::warn_once(const std::string &text)
+{
+  if (warnings.insert(text).second && comm->me == 0) error->warning(FLERR, "{}", text);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool PairTMSPH::plausible(int type) const
+{
+  const UnitNames unit(update->unit_style);
+  const double speed = unit.meters_per_second * wave_speed(materials[type]);
+  return unit.meters_per_second == 0.0 || (speed > SLOWEST && speed < FASTEST);
+}
+
+/* ----------------------------------------------------------------------
+   @return what is wrong with the first type whose numbers are those of no solid
+------------------------------------------------------------------------- */
+
+std::string PairTMSPH::doubtful_material() const
+{
+  const UnitNames unit(update->unit_style);
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const Material &m = materials[type];
+    if (!plausible(type))
+      return fmt::format("No solid has waves of {:.3g} {} as type {}: give its Young's modulus, {}, "
+                         "in {}, and its density, {}, in {}",
+                         wave_speed(m), unit.speed, type, m.young, unit.pressure, m.density,
+                         unit.density);
+    if (unit.meters_per_second > 0.0 && std::fabs(m.expansion) > MOST_EXPANSION)
+      return fmt::format("No solid expands by {} per degree as type {}: give its coefficient of "
+                         "linear expansion per degree, 1e-5 for rock", m.expansion, type);
+  }
+  return "";
+}
+
+/* ----------------------------------------------------------------------
+   before neighbor lists are made with it: a horizon that was given in spacings
+------------------------------------------------------------------------- */
+
+void PairTMSPH::check_reach() const
+{
+  const int D = domain->dimension;
+  std::array<double, 6> mine, all;    // largest coordinates, and minus the smallest
+  mine.fill(-HUGE_VAL);
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) {
+      mine[k] = std::max(mine[k], atom->x[i][k]);
+      mine[3 + k] = std::max(mine[3 + k], -atom->x[i][k]);
+    }
+  MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_MAX, world);
+  double volume = 1.0;
+  for (int k = 0; k < D; k++) volume *= all[k] + all[3 + k];
+  const double spacing = std::pow(volume / std::max<bigint>(atom->natoms, 1), 1.0 / D);
+  if (std::isfinite(spacing) && spacing > 0.0 && cutoff > ABSURD_HORIZON * spacing)
+    error->all(FLERR,
+               "The horizon {} of pair_style tmsph is {:.3g} particle spacings: give it as a length, "
+               "{} spacings are {:.3g}",
+               cutoff, cutoff / spacing, USUAL_HORIZON, USUAL_HORIZON * spacing);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string PairTMSPH::doubtful_horizon() const
+{
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const double spacing = present[type].spacing, own = horizon(type, type);
+    if (spacing == 0.0) continue;
+    const bool shorter = own < SHORTEST_HORIZON * spacing;
+    if (!shorter && own < LONGEST_HORIZON * spacing) continue;
+    return fmt::format("The horizon {:.4g} of type {} is {:.3g} spacings, which makes {}: give {} of "
+                       "them, {:.4g}", own, type, own / spacing,
+                       shorter ? "strains inexact" : "surfaces too soft", USUAL_HORIZON,
+                       USUAL_HORIZON * spacing);
+  }
+  return "";
+}
+
+/* ----------------------------------------------------------------------
+   A thickness in 2-D that is neither 1 nor of the order of the body, and volumes in 3-D that are not
+   of the order of the cube of the spacing: lattices have 0.7 to 1 of it, a random cloud 4
+------------------------------------------------------------------------- */
+
+std::string PairTMSPH::doubtful_volume() const
+{
+  const double thickness = bond_fix->body_thickness();
+  double size = 0.0;
+  for (int k = 0; k < domain->dimension; k++) size = std::max(size, domain->prd[k]);
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const Present &t = present[type];
+    if (t.spacing == 0.0) continue;
+    const double ratio = t.volume / (t.particles * t.cell);
+    if (domain->dimension == 3 && (ratio < 0.2 || ratio > 10.0))
+      return fmt::format("Volumes of type {} are {:.3g} times the cube of the spacing: give that, "
+                         "about {:.3g}, with 'set type {} volume'", type, ratio, t.cell, type);
+    if (domain->dimension == 2 && thickness != 1.0 &&
+        (thickness > 100.0 * size || thickness < 0.01 * t.spacing))
+      return fmt::format("Volumes of particles make the body {:.3g} thick: in 2-D they are area times "
+                         "thickness, give {:.3g} for a thickness of 1 with 'set group all volume'",
+                         thickness, t.cell);
+  }
+  return "";
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::string PairTMSPH::doubtful_place() const
+{
+  double mine = 0.0, farthest, spacing = HUGE_VAL;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < domain->dimension; k++)
+      mine = std::max(mine, std::fabs(atom->x[i][k]));
+  MPI_Allreduce(&mine, &farthest, 1, MPI_DOUBLE, MPI_MAX, world);
+  for (int type = 1; type <= atom->ntypes; type++)
+    if (present[type].spacing > 0.0) spacing = std::min(spacing, present[type].spacing);
+  const double unit = std::nextafter(farthest, HUGE_VAL) - farthest;
+  if (!(unit > POSITION_LOSS * spacing)) return "";
+  return fmt::format("Positions of {:.3g} are rounded to {:.1g} of the spacing: put the body near the "
+                     "origin", farthest, unit / spacing);
+}
+
+/* ----------------------------------------------------------------------
+   @return the first doubt; what is derived from the same numbers is not blamed then
+------------------------------------------------------------------------- */
+
+std::string PairTMSPH::doubts() const
+{
+  for (const std::string &doubt :
+       {doubtful_material(), doubtful_horizon(), doubtful_volume(), doubtful_place()})
+    if (!doubt.empty()) return doubt;
+  return "";
+}
+
+/* ----------------------------------------------------------------------
+   a fix on nobody; groups that follow a condition may have members later
+------------------------------------------------------------------------- */
+
+void PairTMSPH::check_groups()
+{
+  if (!atom->natoms) return;
+  for (Fix *fix : modify->get_fix_list())
+    if (fix->igroup > 0 && !group->dynamic[fix->igroup] && group->count(fix->igroup) == 0)
+      warn_once(fmt::format("Group {} of fix {} is empty: check the region or the types that it was "
+                            "made of, and that particles were there before it",
+                            group->names[fix->igroup], fix->id));
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::check_expansion()
+{
+  if (expands() || !break_test || modify->get_fix_by_style("^tmsph/heat").empty()) return;
+  warn_once("Temperatures load nothing, because no type expands: add 'expansion alpha' to "
+            "pair_coeff");
+}
