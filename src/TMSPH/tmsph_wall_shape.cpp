@@ -14,6 +14,11 @@ using namespace TMSPH;
 
 namespace {
 
+/// sine of the angle between two segments that are one but for round-off
+constexpr double STRAIGHT = 1.0e-9;
+/// gaps that differ by a smaller share of the reach are equal but for round-off: the first counts
+constexpr double EQUALLY_FAR = 1.0e-9;
+
 constexpr double PI = 3.14159265358979323846;
 
 Point minus(const Point &a, const Point &b)
@@ -83,8 +88,8 @@ bool WallPolyline::concave(int k, int l, int side) const
 {
   const int n = segments.size();
   if (k >= n || l >= n) return false;    // corners
-  if (after(k) == l && side * cross(segments[k].along, segments[l].along) > 0.0) return true;
-  return after(l) == k && side * cross(segments[l].along, segments[k].along) > 0.0;
+  if (after(k) == l && side * cross(segments[k].along, segments[l].along) > STRAIGHT) return true;
+  return after(l) == k && side * cross(segments[l].along, segments[k].along) > STRAIGHT;
 }
 
 /* ----------------------------------------------------------------------
@@ -144,18 +149,20 @@ int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *fou
     };
     hits.erase(std::remove_if(hits.begin(), hits.end(), is_no_place), hits.end());
   }
-  const auto lower = [](const WallTouch &a, const WallTouch &b) { return a.gap < b.gap; };
-  found[0] = front ? *std::min_element(hits.begin(), hits.end(), lower)
-                   : *std::max_element(hits.begin(), hits.end(), lower);
-  int count = 1;
+  const auto least = [&](const auto &counts, double sign) {
+    const WallTouch *best = nullptr;
+    for (const WallTouch &h : hits)
+      if (counts(h) && (!best || sign * (best->gap - h.gap) > EQUALLY_FAR * reach)) best = &h;
+    return best;
+  };
+  found[0] = *least([](const WallTouch &) { return true; }, front ? 1.0 : -1.0);
   const double parallel = std::cos(CONCAVE * PI / 180.0);
-  for (const WallTouch &h : hits) {
-    if (dot(h.normal, found[0].normal) > parallel) continue;
-    if (!(in_front(h) && in_front(found[0])) && !concave(h.piece, found[0].piece, side)) continue;
-    if (count == 1 || h.gap < found[1].gap) found[1] = h;
-    count = 2;
-  }
-  return count;
+  const WallTouch *second = least([&](const WallTouch &h) {
+    return dot(h.normal, found[0].normal) <= parallel &&
+        ((in_front(h) && in_front(found[0])) || concave(h.piece, found[0].piece, side));
+  }, 1.0);
+  if (second) found[1] = *second;
+  return second ? 2 : 1;
 }
 
 /* ---------------------------------------------------------------------- */
