@@ -16,7 +16,8 @@ namespace {
 
 /// sine of the angle between two segments that are one but for round-off
 constexpr double STRAIGHT = 1.0e-9;
-/// gaps that differ by a smaller share of the reach are equal but for round-off: the first counts
+/// lengths that differ by a smaller share of the reach are equal but for round-off: of two gaps the
+/// first one counts
 constexpr double EQUALLY_FAR = 1.0e-9;
 
 constexpr double PI = 3.14159265358979323846;
@@ -101,6 +102,7 @@ bool WallPolyline::concave(int k, int l, int side) const
 int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *found) const
 {
   std::vector<WallTouch> hits;
+  const double same = EQUALLY_FAR * reach;
   const int n = segments.size();
   for (int k = 0; k < n; k++) {
     const Segment &s = segments[k];
@@ -114,7 +116,7 @@ int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *fou
 
     const double first = previous >= 0 && concave(previous, k, side) ? -reach : 0.0;
     const double last = s.length + (next >= 0 && concave(k, next, side) ? reach : 0.0);
-    if (along >= first && along <= last) {
+    if (along >= first - same && along <= last + same) {
       if (std::fabs(gap) < reach) hits.push_back({normal, gap, k});
       continue;
     }
@@ -152,7 +154,7 @@ int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *fou
   const auto least = [&](const auto &counts, double sign) {
     const WallTouch *best = nullptr;
     for (const WallTouch &h : hits)
-      if (counts(h) && (!best || sign * (best->gap - h.gap) > EQUALLY_FAR * reach)) best = &h;
+      if (counts(h) && (!best || sign * (best->gap - h.gap) > same)) best = &h;
     return best;
   };
   found[0] = *least([](const WallTouch &) { return true; }, front ? 1.0 : -1.0);

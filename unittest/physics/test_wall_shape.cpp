@@ -76,6 +76,7 @@ TEST(WallShape, TiesAreDecidedAlikeInTurnedAxes)
       for (int k = 0; k < count; k++) {
         EXPECT_LT(distance(found[k].normal, turned(expected[k].normal)), 1.0e-14);
         EXPECT_NEAR(found[k].gap, expected[k].gap, 1.0e-14);
+        EXPECT_EQ(found[k].piece, expected[k].piece);
       }
     }
   }
