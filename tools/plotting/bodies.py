@@ -16,11 +16,16 @@ UNIT = {**{name: "Pa" for name in LONG if "stress" in LONG[name] or name == "str
         **{name: "m" for name in ("displacement", "ux", "uy", "uz", "x0", "y0", "z0", "radius")},
         **{name: "m/s" for name in ("vx", "vy", "vz")}}
 PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n"))
+BASE = {"mm": ("m", 1e-3), "ms": ("s", 1e-3), "MPa": ("Pa", 1e6), "kN": ("N", 1e3)}
 AREAS = ((1.0, "m\u00b2"), (1e-4, "cm\u00b2"), (1e-6, "mm\u00b2"))
 
 
 def scaled(unit, largest):
     """(factor, unit) that brings values in this unit to readable numbers."""
+    if unit in BASE:
+        base, size = BASE[unit]
+        factor, unit = scaled(base, largest * size)
+        return factor * size, unit
     shown = lammps_files.UNITS.get(unit, unit)
     if unit == "m2":
         return next(((1 / size, name) for size, name in AREAS if largest >= size), (1e6, AREAS[-1][1]))

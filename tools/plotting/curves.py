@@ -8,6 +8,8 @@ from . import bodies as model
 from .save import save
 
 MOST = 6               # profiles in a picture
+KIND = {"J": "energy", "J_per_m": "energy", "N": "force", "N_per_m": "force", "MPa": "stress",
+        "Pa": "stress", "m_per_s": "speed", "C": "temperature", "K": "temperature"}
 
 
 def text(name):
@@ -52,10 +54,12 @@ def draw_curves(path, columns, title):
         whole = all(np.all(columns[name] == np.rint(columns[name])) for name in members)
         single = text(quantity(members[0])[0])
         ax.set_ylabel(", ".join(filter(None, ["number" if whole and len(members) > 1 else
-                                              single if len(members) == 1 else "", shown])) or "value")
+                                              single if len(members) == 1 else KIND.get(kind, ""),
+                                              shown])) or "value")
         if len(members) > 1:
             ax.legend(fontsize="small")
         ax.set_xlabel(f"{what}, {unit}" if unit else what)
+        ax.locator_params(nbins=6)
         ax.grid(alpha=0.3)
     figure.suptitle(title, fontsize="medium")
     save(figure, path)
