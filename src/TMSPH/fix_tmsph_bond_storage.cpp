@@ -155,6 +155,7 @@ const double *FixTMSPHBond::setup_velocity(int i) const
 
 void FixTMSPHBond::write_restart(FILE *fp)
 {
+  update->update_time();    // a run that goes on from the file counts from here: the same round-off
   if (update->whichflag == 1) keep_velocities();    // in a run: those of this step
   if (comm->me) return;
   std::vector<double> list = {RESTART_FORMAT,          (double) bonds_formed, (double) maxpartner,

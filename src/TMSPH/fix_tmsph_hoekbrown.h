@@ -111,6 +111,7 @@ class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest, public TMSPHR
   void warn_of_hot_start();
   void record(const Due &);
   void list_events();
+  void gather_events(std::vector<double> &);
   double largest_load();
   bigint total(int mode);
 };

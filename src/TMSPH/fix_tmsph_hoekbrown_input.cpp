@@ -17,12 +17,13 @@
 
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 using namespace LAMMPS_NS;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 2.0;
+static constexpr double RESTART_FORMAT = 3.0;
 
 // A crack through bonds that break takes 15 sigma^2 dx/(2 E) per area, with sigma the tensile strength
 // and dx the spacing (examples/quench/in.toughness, doc/report/quench.md)
@@ -192,23 +193,60 @@ void FixTMSPHHoekBrown::warn_of_hot_start()
 void FixTMSPHHoekBrown::write_restart(FILE *fp)
 {
   const double tension = total(0), shear = total(1);
+  std::vector<double> list = {RESTART_FORMAT, tension, shear, (double) comm->nprocs};
+  gather_events(list);
   if (comm->me) return;
-  const double counts[3] = {RESTART_FORMAT, tension, shear};
-  const int size = sizeof(counts);
+  const int size = list.size() * sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(counts, sizeof(double), 3, fp);
+  fwrite(list.data(), sizeof(double), list.size(), fp);
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   On processor 0: how many events each processor has, and the events. LAMMPS counts the bytes of a
+   record in an int; beyond that, at some 20 million events, the table starts anew.
+------------------------------------------------------------------------- */
+
+void FixTMSPHHoekBrown::gather_events(std::vector<double> &list)
+{
+  const int nprocs = comm->nprocs, width = size_local_cols;
+  const int mine = width * events.size();
+  std::vector<int> sizes(nprocs), starts(nprocs, 0);
+  MPI_Allgather(&mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
+  const bigint all = std::accumulate(sizes.begin(), sizes.end(), bigint(0));
+  const bool fits = (list.size() + nprocs + all) * sizeof(double) < MAXSMALLINT;
+  for (const int size : sizes) list.push_back(fits ? size / width : 0);
+  if (!fits) return;
+  std::partial_sum(sizes.begin(), sizes.end() - 1, starts.begin() + 1);
+  const size_t head = list.size();
+  list.resize(head + (comm->me ? 0 : all));
+  MPI_Gatherv(events.data(), mine, MPI_DOUBLE, list.data() + head, sizes.data(), starts.data(),
+              MPI_DOUBLE, 0, world);
+}
+
+/* ----------------------------------------------------------------------
+   events return to the processor that they came from, so that the table keeps its order
+------------------------------------------------------------------------- */
 
 void FixTMSPHHoekBrown::restart(char *buf)
 {
-  double counts[3];
-  memcpy(counts, buf, sizeof(double));
-  check_restart_format(error, "fix tmsph/hoekbrown", counts[0], RESTART_FORMAT);
-  memcpy(counts, buf, sizeof(counts));
+  double head[4];
+  memcpy(head, buf, sizeof(double));
+  check_restart_format(error, "fix tmsph/hoekbrown", head[0], RESTART_FORMAT);
+  memcpy(head, buf, sizeof(head));
   for (int mode = 0; mode < 2; mode++)
-    broken[mode] = comm->me == 0 ? (bigint) counts[1 + mode] : 0;
+    broken[mode] = comm->me == 0 ? (bigint) head[1 + mode] : 0;
+  std::vector<double> counts((size_t) head[3]);
+  memcpy(counts.data(), buf += sizeof(head), counts.size() * sizeof(double));
+  buf += counts.size() * sizeof(double);
+  for (size_t proc = 0; proc < counts.size(); proc++) {
+    const size_t known = events.size(), more = (size_t) counts[proc];
+    if ((int) proc % comm->nprocs == comm->me) {
+      events.resize(known + more);
+      if (more) memcpy(&events[known], buf, more * sizeof(Event));
+    }
+    buf += more * sizeof(Event);
+  }
+  list_events();
   fresh = false;
 }
 
