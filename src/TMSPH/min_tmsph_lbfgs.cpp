@@ -294,7 +294,7 @@ int MinTMSPHLBFGS::iterate(int maxiter)
 
 /* ---------------------------------------------------------------------- */
 
-bool MinTMSPHLBFGS::equilibrate(double norm, bigint most)
+bool MinTMSPHLBFGS::equilibrate(double norm, bigint most, const std::function<void()> &after)
 {
   with_energy = false;
   const bigint first = total_evaluations;
@@ -302,6 +302,7 @@ bool MinTMSPHLBFGS::equilibrate(double norm, bigint most)
     if (total_evaluations - first >= most) return false;
     niter++;
     if (step()) return false;
+    after();
   }
   return true;
 }

@@ -17,6 +17,8 @@ MinimizeStyle(tmsph/lbfgs,MinTMSPHLBFGS);
 #include "tmsph_lbfgs.h"
 #include "tmsph_preconditioner.h"
 
+#include <functional>
+
 namespace LAMMPS_NS {
 
 class MinTMSPHLBFGS : public Min {
@@ -32,8 +34,9 @@ class MinTMSPHLBFGS : public Min {
   /** Looks for equilibrium on the present time step, without output and energies.
       @param norm      Euclidean norm of all forces to reach
       @param evaluations most force evaluations
+      @param after     called after each iteration
       @return true if it was reached */
-  bool equilibrate(double norm, bigint evaluations);
+  bool equilibrate(double norm, bigint evaluations, const std::function<void()> &after);
   /// forces in the present positions, which may have been moved
   void update_forces();
   /// energies and virials too, if the present time step asks for them

@@ -29,6 +29,7 @@ using namespace LAMMPS_NS;
 
 static constexpr double JUMP = 0.98;           // of the way to the first break
 static constexpr double STRENGTH = 2.5e-4;     // of Young's modulus, where no strength is given
+static constexpr double SILENCE = 5.0;         // s without a line on the screen
 
 /* ----------------------------------------------------------------------
    a minimizer in the place of the user's, which keeps its settings, until the end of a scope
@@ -61,7 +62,7 @@ class Stand {
 TMSPHQuasistatic::TMSPHQuasistatic(LAMMPS *lmp) :
     Command(lmp), nsteps(0), change(2.0), residual{1.0e-4, 1.0e-3}, breaking(0.8), jump(true),
     stride(0.01), evaluations(20000), pair(nullptr), rock(nullptr), solver(nullptr), unit(0.0),
-    load(-1.0), load_before(-1.0), covered(0), count{0, 0, 0, 0, 0, 0, 0}
+    load(-1.0), load_before(-1.0), covered(0), count{0, 0, 0, 0, 0, 0, 0}, life{0, 0, 0.0, 0.0}
 {
 }
 
@@ -186,6 +187,7 @@ void TMSPHQuasistatic::command(int narg, char **arg)
   timer->init();
   timer->barrier_start();
   prepare();
+  life.start = life.shown = platform::walltime();
   while (update->ntimestep < update->laststep) {
     if (timer->check_timeout(count.steps)) break;
     take_step(next_steps(update->laststep - update->ntimestep));
@@ -298,7 +300,8 @@ void TMSPHQuasistatic::take_step(int steps)
   load_before = load;
   extrapolate(steps);
   solver->update_forces();
-  bigint broken = 0;
+  bigint &broken = life.broken;
+  broken = life.equilibria = 0;
   bool first = true, tight = !rock || !any_broken();
   while (true) {
     find_equilibrium(residual[!tight]);
@@ -373,11 +376,30 @@ void TMSPHQuasistatic::note_rate(int steps)
 void TMSPHQuasistatic::find_equilibrium(double rms)
 {
   count.equilibria++;
-  if (solver->equilibrate(rms * unit, evaluations)) return;
+  life.equilibria++;
+  if (solver->equilibrate(rms * unit, evaluations, [this]() { show_life(); })) return;
   if (count.failures++ == 0 && comm->me == 0)
     error->warning(FLERR, "Equilibrium on step {} was not found in {} force evaluations; the "
                           "residual is {:.3g}", update->ntimestep, evaluations,
                    solver->force_norm() / unit);
+}
+
+/* ----------------------------------------------------------------------
+   on the screen only: the log has the same lines however long they took
+------------------------------------------------------------------------- */
+
+void TMSPHQuasistatic::show_life()
+{
+  if (comm->me || !screen) return;
+  const double now = platform::walltime();
+  if (now - life.shown < SILENCE) return;
+  life.shown = now;
+  const bigint done = update->ntimestep - update->firststep;
+  const auto left = (bigint) ((now - life.start) / done * (update->laststep - update->ntimestep));
+  fputs(fmt::format("  step {} of {}: {} bonds broken on it, equilibrium {}; about {}:{:02}:{:02} "
+                    "remain\n", update->ntimestep, update->laststep, life.broken, life.equilibria,
+                    left / 3600, left / 60 % 60, left % 60).c_str(), screen);
+  fflush(screen);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -395,6 +417,7 @@ void TMSPHQuasistatic::write_output()
   timer->stamp();
   output->write(now);
   timer->stamp(Timer::OUTPUT);
+  life.shown = platform::walltime();
   if (restart) start_afresh();
 }
 

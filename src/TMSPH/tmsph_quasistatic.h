@@ -53,6 +53,11 @@ class TMSPHQuasistatic : public Command {
     bigint steps, equilibria, failures, avalanche, avalanche_step, first_step, broken;
   } count;
 
+  struct {
+    bigint broken, equilibria;    // of this step
+    double start, shown;          // times: of the command, of the last line on the screen
+  } life;
+
   void parse(int, char **);
   void check_fixes();
   void prepare();
@@ -64,6 +69,7 @@ class TMSPHQuasistatic : public Command {
   void extrapolate(int steps);
   void note_rate(int steps);
   void find_equilibrium(double rms);
+  void show_life();
   void write_output();
   void tell() const;
 };
