@@ -1,0 +1,234 @@
+#!/usr/bin/env python3
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""Goes on where a run was interrupted: ./tmsph run --resume INPUT.
+
+    tools/resume.py [--np N] INPUT [lmp args]       in the folder of the input; TMSPH_LMP is the lmp
+
+The input writes restart files, with the command restart, and reads the one that the variable
+"resume" names instead of making the body (see doc/output.md). The newest complete restart file is
+taken; one that was being written when the run was killed lacks LAMMPS's mark at its end. What dumps,
+tables and log have beyond its step is cut off, since the run writes it anew; this older part waits
+in FILE.before and is put in front again at the end, or by the next --resume if that is killed too.
+Without lmp args they are those of the last ./tmsph run."""
+
+import argparse
+import fcntl
+import os
+import re
+import shutil
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+MAGIC = b"LammpS RestartT\0"
+STEP_FLAG = 5          # of the header, as in LAMMPS's lmprestart.h
+LOG = "log.lammps"
+
+
+def stop(text):
+    sys.exit(f"tmsph: {text}")
+
+
+# ---- Restart files ----
+
+def restart_step(path):
+    """The step of a restart file; None if it is not one or not complete."""
+    try:
+        with open(path, "rb") as file:
+            head = file.read(4096)
+            file.seek(max(0, os.path.getsize(path) - len(MAGIC)))
+            tail = file.read()
+    except OSError:
+        return None
+    if not head.startswith(MAGIC) or tail != MAGIC or os.path.getsize(path) < len(head):
+        return None
+    at = len(MAGIC) + 8                       # endian flag and revision
+    while at + 4 <= len(head):                # integers and texts, each behind its flag
+        flag, = struct.unpack_from("=i", head, at)
+        if flag == STEP_FLAG:
+            return struct.unpack_from("=q", head, at + 4)[0]
+        size, = struct.unpack_from("=i", head, at + 4)
+        at += 8 + (size if flag in TEXT_FLAGS else 0)
+    return None
+
+
+TEXT_FLAGS = (0, 4)    # the version, the units
+
+
+def commands(text):
+    """The commands of an input or of the log that repeats them, each in one line."""
+    return re.sub(r"#[^\n]*", "", text.replace("&\n", " ")).split("\n")
+
+
+def restart_files(lines):
+    """The files that the command restart names: two that take turns, or one for each step."""
+    for line in lines:
+        found = re.search(r"(?:^|\")\s*restart\s+[^\s\"]+\s+([^\s\"]+)(?:\s+([^\s\"]+))?", line)
+        if found and found[2]:
+            return [Path(found[1]), Path(found[2])]
+        if found:
+            name = found[1] if "*" in found[1] else found[1] + ".*"
+            return sorted(Path().glob(name))
+    return []
+
+
+def newest(files, since):
+    """The step and the path of the newest complete one, not of an earlier run. Of two that take
+    turns the first will be written first: so the newest becomes the second."""
+    known = [(restart_step(path), path) for path in files
+             if path.exists() and path.stat().st_mtime_ns >= since]
+    known = [pair for pair in known if pair[0] is not None]
+    if not known:
+        stop("no complete restart file of this run is here: start it anew")
+    step, path = max(known)
+    if len(files) == 2 and path == files[0]:
+        os.replace(path, files[1])
+        path = files[1]
+    return step, path
+
+
+# ---- Dumps, tables, logs ----
+
+def output_files(lines):
+    """Dumps and tables with many steps in one file."""
+    names = set()
+    for line in lines:
+        names.update(re.findall(r"(?:^|\")\s*dump\s+\S+\s+\S+\s+(?:custom|local|atom)\s+\S+\s+([^\s\"]+)",
+                                line))
+        if re.search(r"(?:^|\")\s*fix\s", line):
+            names.update(re.findall(r"\s(?:file|append)\s+([^\s\"]+)", line))
+    return [Path(name) for name in sorted(names) if not set(name) & set("*%$") and
+            not name.endswith((".gz", ".zst", ".bin"))]
+
+
+def frames(path):
+    """The step and the place in the file of each frame of a dump, row of a table, or row of a table in
+    a log. A step that was not written to the end is None."""
+    with open(path, "rb") as file:
+        dump = file.read(5) == b"ITEM:"
+        file.seek(0)
+        yield from dump_frames(file) if dump else rows(file, path.name.removesuffix(".before") == LOG)
+
+
+def dump_frames(file):
+    start, line = 0, file.readline()
+    while line:
+        step, count = file.readline(), 0
+        while line and not line.startswith((b"ITEM: ATOMS", b"ITEM: ENTRIES")):
+            line = file.readline()
+            if line.startswith(b"ITEM: NUMBER OF"):
+                count = int(file.readline() or 0)
+        for _ in range(count):
+            line = file.readline()
+        yield (int(step) if line.endswith(b"\n") else None), start
+        start, line = file.tell(), file.readline()
+
+
+def rows(file, log):
+    at, columns = 0, None                    # columns of the table in a log that is being read
+    for line in file:
+        start, at = at, at + len(line)
+        words = line.split()
+        if not words:
+            continue
+        if log and words[0] == b"Step":
+            columns = len(words)
+        elif not line.endswith(b"\n"):
+            yield None, start
+        elif words[0].isdigit() and (not log or len(words) == columns):
+            yield int(words[0]), start
+        elif words[0] != b"WARNING:":
+            columns = None
+
+
+def cut(path, step=sys.maxsize):
+    """Takes off what was written after that step, and what was not written to its end. The last
+    step that stays."""
+    last = -1
+    for when, place in frames(path):
+        if when is None or when > step:
+            os.truncate(path, place)
+            break
+        last = when
+    return last
+
+
+def older_part(path):
+    return path.with_name(path.name + ".before")
+
+
+def set_aside(path, step):
+    if path.exists():
+        cut(path, step)
+        os.replace(path, older_part(path))
+
+
+def join(path):
+    """Puts the older part in front of what the newer one has beyond it: not its heading, and not the
+    step that it began with. A log is appended whole. If this is stopped it can be done once more."""
+    before = older_part(path)
+    if not before.exists():
+        return
+    last = cut(before)
+    if path.exists():
+        place = 0 if path.name == LOG else next((place for when, place in frames(path)
+                                                 if when is not None and when > last), None)
+        if place is not None:
+            with open(path, "rb") as newer, open(before, "ab") as older:
+                newer.seek(place)
+                shutil.copyfileobj(newer, older)
+    os.replace(before, path)
+
+
+# ---- Run ----
+
+def last_arguments(input_file):
+    """Number of processes and arguments of the last ./tmsph run, and when it started."""
+    try:
+        record = Path(f".{input_file}.args")
+        np, *args = record.read_text().split("\n")[:-1]
+        return np, args, record.stat().st_mtime_ns
+    except (OSError, ValueError):
+        return "", [], 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--np", help="number of processes")
+    parser.add_argument("input")
+    parser.add_argument("args", nargs=argparse.REMAINDER, help="arguments of lmp")
+    given = parser.parse_args()
+    lmp = os.environ.get("TMSPH_LMP") or stop("TMSPH_LMP, the path of lmp, is not set")
+    np, args, since = last_arguments(given.input)
+    np, args = given.np or np, given.args or args
+
+    text = Path(given.input).read_text()
+    if "${resume}" not in text:
+        stop(f"{given.input} does not tell how to go on: it needs read_restart ${{resume}}, see "
+             "doc/output.md")
+    alone = open(f".{given.input}.args", "a")    # locked as long as lmp runs, which inherits it
+    try:
+        fcntl.flock(alone, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        stop(f"a run of {given.input} is still going on here")
+    log = Path(LOG)
+    lines = commands(text) + (commands(log.read_text()) if log.exists() else [])
+    files = output_files(lines) + [log]
+    for path in files:
+        join(path)
+    step, restart = newest(restart_files(commands(text)), since)
+    for path in files:
+        set_aside(path, step)
+    print(f"tmsph: going on from step {step}, {restart}", file=sys.stderr)
+    command = [lmp, "-in", given.input, *args, "-var", "resume", str(restart)]
+    if np:
+        command = [os.environ.get("TMSPH_MPIRUN", "mpirun"), "-np", np, *command]
+    done = subprocess.run(command, pass_fds=[alone.fileno()])
+    for path in files:
+        join(path)
+    sys.exit(done.returncode)
+
+
+if __name__ == "__main__":
+    main()

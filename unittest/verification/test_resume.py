@@ -1,0 +1,50 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""Runs that are killed at random moments and go on end with the same bits; torn restart files are
+known. Ten kills each: test_resume_long."""
+
+import tempfile
+
+from resuming import *
+from tmsph_testing import Report
+
+DYNAMIC = ["-var", "dx", "4e-3", "-var", "rate", "0.1", "-var", "restart", "200"]
+QUASISTATIC = ["-var", "dx", "5e-3", "-var", "quasistatic", "yes", "-var", "restart", "1000"]
+FILES = ["dump.disc", "broken_bonds.txt", "events.txt"]
+
+
+def disc(report, what, arguments, ranks, kills, life, seed, after=None):
+    with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
+        plain = Example(one, "disc", "broken_bonds.txt", arguments, ranks)
+        broken = Example(two, "disc", "broken_bonds.txt", arguments, ranks)
+        interrupt(report, what, plain, broken, FILES, kills, life, seed)
+        if after:
+            after(report, plain.place)
+
+
+def torn(report, place):
+    """A restart file that was not written to its end is not taken, however much of it is there, nor
+    one of an earlier run; the one that is taken is written to last."""
+    files = [place / "restart.disc.1", place / "restart.disc.2"]
+    steps = {restart_step(path): path for path in files}
+    report.true("restart files", sorted(steps) == [2400, 2600], str(sorted(steps)))
+    whole, older = steps[2600].read_bytes(), steps[2400]
+    for size in (0, 10, 100, 1000, len(whole) // 2, len(whole) - 8, len(whole) - 1):
+        steps[2600].write_bytes(whole[:size])
+        if restart_step(steps[2600]) is not None:
+            report.true(f"torn after {size} bytes", False, "not taken")
+    files[0].write_bytes(older.read_bytes())
+    files[1].write_bytes(whole[:-1])
+    step, path = newest(files, 0)
+    report.true("torn restart file", (step, path) == (2400, files[1]), "the older one, named second")
+    try:
+        newest(files, time.time_ns() + 10**9)
+        report.true("restart file of an earlier run", False, "refused")
+    except SystemExit as end:
+        report.true("restart file of an earlier run", "start it anew" in str(end), "refused")
+
+
+if __name__ == "__main__":
+    report = Report()
+    disc(report, "dynamic, 1 rank", DYNAMIC, 1, 3, 30, 1, torn)
+    disc(report, "quasi-static, 2 ranks", QUASISTATIC, 2, 3, 60, 2)
+    report.finish()
