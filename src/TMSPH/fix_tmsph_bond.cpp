@@ -28,6 +28,11 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using TMSPH::WIDTH;
 
+// a particle at the horizon but for round-off, as it may be in a lattice, is no partner: its weight
+// would be 0
+
+static constexpr double AT_HORIZON = 1.0 - 2.0e-9;    // of the square
+
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
@@ -202,7 +207,7 @@ void FixTMSPHBond::form()
       reference_vector(i, j, X);
       const double R2 = X[0] * X[0] + X[1] * X[1] + X[2] * X[2];
       const double reach = user->horizon(atom->type[i], atom->type[j]);
-      if (R2 >= reach * reach) continue;
+      if (R2 >= AT_HORIZON * reach * reach) continue;
       if (R2 == 0.0)
         error->one(FLERR,
                    "Particles {} and {} stand on the same place: remove one, for instance with "

@@ -29,6 +29,10 @@ static constexpr double STRETCHED = 1.25;
 
 static constexpr double SAME = 1.0e-6;
 
+// a particle is at least so many spacings from the outline of another body; 0 is none in reach
+
+static constexpr double NOT_APART = 1.0e-9;
+
 /* ----------------------------------------------------------------------
    the finer side touches the outline of the other; of equals, the lower type
 ------------------------------------------------------------------------- */
@@ -116,7 +120,8 @@ void FixTMSPHContact::measure()
         if (d < std::min(nearest, 0.5 * (bonds->spacing(i) + bonds->spacing(j)))) nearest = d;
       }
     }
-    if (nearest < HUGE_VAL && nearest > 0.0) memories[atom->tag[i]].apart = nearest;
+    if (nearest < HUGE_VAL)
+      memories[atom->tag[i]].apart = std::max(nearest, NOT_APART * bonds->spacing(i));
   }
 }
 

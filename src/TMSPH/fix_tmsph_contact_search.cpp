@@ -231,6 +231,11 @@ template <int D> int FixTMSPHContact::meet()
       return both ? is && too : is || too;
     };
     if (!are(Exposure::LOOSE, false) && facing > FACING) return;
+    const bool loose = are(Exposure::LOOSE, true);
+    pair_of_them.loose = loose;
+    for (int a = 0; a < D && loose; a++)
+      pair_of_them.normal_low[a] = pair_of_them.normal_high[a] =
+          (atom->x[high][a] - atom->x[low][a]) / std::sqrt(r2);
 
     const ContactState<D> s = contact_state<D>(pair_of_them, end(low), end(high), {},
                                                pair->kernel_of_bonds(), 0.0);

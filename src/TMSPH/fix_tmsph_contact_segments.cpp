@@ -25,6 +25,13 @@ using namespace TMSPH;
 
 using Row = SegmentRow;
 
+static constexpr double EQUALLY_DEEP = 1.0e-9;    // in spacings
+
+// layer between two outlines, in spacings, at least: a particle may stand on the line between two
+// of the other body from the start
+
+static constexpr double THINNEST = 0.1;
+
 /* ----------------------------------------------------------------------
    of the centre of i from the line between a and b: half a cell on each side,
    less where the two were closer from the start
@@ -106,8 +113,13 @@ void FixTMSPHContact::find_places(double dt)
         places.push_back(p);
       }
     }
-    std::stable_sort(places.begin(), places.end(), [](const Place &p, const Place &q) {
-      return p.touching - p.distance > q.touching - q.distance;
+    // the deepest first; of those that are equally deep but for round-off, in the order of ids
+
+    const auto depth = [&s](const Place &p) {
+      return std::round((p.touching - p.distance) / (EQUALLY_DEEP * s.coarsest));
+    };
+    std::stable_sort(places.begin(), places.end(), [&depth](const Place &p, const Place &q) {
+      return depth(p) > depth(q);
     });
     slave.count = std::min((int) places.size(), Row::PLACES);
     std::copy_n(places.begin(), slave.count, slave.place);
@@ -122,10 +134,12 @@ void FixTMSPHContact::find_places(double dt)
         const auto &m = pair->material(type[k]);
         cells[k] = {m.young / (1.0 - m.poisson * m.poisson), spacing[k]};
       }
+      const double between = 0.5 * (spacing[0] + spacing[1]);
+      const double layer = std::max(p.touching, THINNEST * between);
       const double k = law == ContactLaw::PAPER
           ? stiffness * paper_stiffness(atom->rmass[i], update->dt)
-          : half_cells(cells, 2, stiffness * 0.5 * (spacing[0] + spacing[1]) / p.touching,
-                       p.touching - p.distance) * spacing[0];
+          : half_cells(cells, 2, stiffness * between / layer, p.touching - p.distance) *
+              spacing[0];
       slave.stiffness = std::max(slave.stiffness, k);
     }
     for (int n = 0; n < slave.count; n++) {
@@ -236,7 +250,7 @@ void FixTMSPHContact::hold(Slave &slave, double dt)
     const Place &p = slave.place[n];
     double *out = row(i) + Row::FORCE + n * Row::FORCE_SIZE;
     std::fill_n(out, (int) Row::FORCE_SIZE, 0.0);
-    if (!(normal[n] > 0.0) && p.distance >= p.touching) continue;
+    if (!(normal[n] > 0.0) && p.touching - p.distance < -EQUALLY_DEEP * s.coarsest) continue;
 
     const double *A = atom->x[p.a], *B = atom->x[p.b];
     const double e[2] = {B[0] - A[0], B[1] - A[1]}, square = e[0] * e[0] + e[1] * e[1];

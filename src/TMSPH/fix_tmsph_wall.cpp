@@ -28,6 +28,10 @@ using namespace TMSPH;
 
 static constexpr double REACH = 2.0;
 
+// a particle that just touches, but for round-off, remembers where; gap in half cells
+
+static constexpr double TOUCHES_STILL = 1.0e-9;
+
 /* ---------------------------------------------------------------------- */
 
 static double dot(const Point &a, const Point &b)
@@ -246,8 +250,9 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
         normal[p] = damped_normal(normal[p], k, k / m, closing);
     }
 
-  const bool held = normal[0] > 0.0 || normal[1] > 0.0 || t.penetration[0] > 0.0 ||
-      (t.places == 2 && t.penetration[1] > 0.0);
+  const double least = -TOUCHES_STILL * gap_of(i);
+  const bool held = normal[0] > 0.0 || normal[1] > 0.0 || t.penetration[0] > least ||
+      (t.places == 2 && t.penetration[1] > least);
   if (!held) {
     memories.erase(atom->tag[i]);
     return;

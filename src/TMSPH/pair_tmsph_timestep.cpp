@@ -84,14 +84,24 @@ template <int D> double PairTMSPH::stable_timestep_in()
     bond_forces<D>(linear, f.data(), D);
   };
 
+  // random multiples of the bonds, which turn along with the body
+
   for (int i = 0; i < nlocal; i++)
-    for (int k = 0; k < D; k++)
-      trial[D * (size_t) i + k] = uniform_random(atom->tag[i], 7919, k) - 0.5;
+    for (int n = 0; n < bond_fix->count(i); n++) {
+      double X[3];
+      bond_fix->reference_vector(i, bond_fix->partner_index(i, n), X);
+      const double part = uniform_random(atom->tag[i], 7919, bond_fix->partner_tag(i, n)) - 0.5;
+      for (int k = 0; k < D; k++) trial[D * (size_t) i + k] += part * X[k];
+    }
   forces(0.0, at_rest);
   for (int iteration = 0; iteration < ITERATIONS; iteration++) {
-    // one scale for all: the largest trial component is 1
+    // one scale for all: the longest trial vector is 1
     double largest = 0.0, all = 0.0;
-    for (double p : trial) largest = std::max(largest, std::fabs(p));
+    for (size_t i = 0; i < trial.size(); i += D) {
+      double square = 0.0;
+      for (int k = 0; k < D; k++) square += trial[i + k] * trial[i + k];
+      largest = std::max(largest, std::sqrt(square));
+    }
     MPI_Allreduce(&largest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
     if (all == 0.0) {
       dt = HUGE_VAL;

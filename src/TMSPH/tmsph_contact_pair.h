@@ -32,6 +32,8 @@ struct PairGeometry {
   double normal_low[3], normal_high[3];
   double distance;         ///< D, of both particles along the normal when the surfaces just touch
   double share;            ///< depth of the low end below its surface/sum of both depths
+  /// 1: both are loose, the normal is the line between them, the reference normals what it was
+  double loose;
 };
 
 /** What a pair keeps while it is in contact. */
@@ -90,9 +92,15 @@ inline void carried_normal(const double *H, const double *N, double *n)
   for (int a = 0; a < D; a++) n[a] = sound ? scale * n[a] : N[a];
 }
 
-/** Unit vectors in the plane across n. In 2-D n turned left; in 3-D they are carried along with the
-    material: the coordinate direction farthest from the reference normal N, moved by F, and
-    the one across it. */
+inline void cross_product(const double *u, const double *v, double *w)
+{
+  for (int a = 0; a < 3; a++)
+    w[a] = u[(a + 1) % 3] * v[(a + 2) % 3] - u[(a + 2) % 3] * v[(a + 1) % 3];
+}
+
+/** Unit vectors in the plane across n. In 2-D n turned left; in 3-D any two across the reference
+    normal N, carried along with the material: moved by F, they are taken to the nearest pair that
+    is orthonormal (polar decomposition), which turns along with the pair that was chosen. */
 inline void tangents(const double *n, const double * /*H*/, const double * /*N*/,
                      double (&t)[1][2])
 {
@@ -105,19 +113,31 @@ inline void tangents(const double *n, const double *H, const double *N, double (
   int axis = 0;
   for (int a = 1; a < 3; a++)
     if (std::fabs(N[a]) < std::fabs(N[axis])) axis = a;
-  double e[3], along = 0.0, square = 0.0;
+  double T[2][3], moved[2][3];
+  const double length = std::sqrt(1.0 - N[axis] * N[axis]);
+  for (int a = 0; a < 3; a++) T[0][a] = ((a == axis) - N[axis] * N[a]) / length;
+  cross_product(N, T[0], T[1]);
+  for (int k = 0; k < 2; k++)
+    for (int a = 0; a < 3; a++) {
+      moved[k][a] = T[k][a];
+      for (int b = 0; b < 3; b++) moved[k][a] += H[3 * a + b] * T[k][b];
+    }
+
+  // in the plane a matrix and its cofactor add up to a multiple of the nearest rotation
+
+  double along = 0.0, square = 0.0;
+  cross_product(moved[1], n, t[0]);
   for (int a = 0; a < 3; a++) {
-    e[a] = H[3 * a + axis] + (a == axis ? 1.0 : 0.0);
-    along += n[a] * e[a];
+    t[0][a] += moved[0][a];
+    along += n[a] * t[0][a];
   }
   for (int a = 0; a < 3; a++) {
-    e[a] -= along * n[a];
-    square += e[a] * e[a];
+    t[0][a] -= along * n[a];
+    square += t[0][a] * t[0][a];
   }
   const double scale = 1.0 / std::sqrt(std::max(square, 1.0e-30));    // 0 only where F is absurd
-  for (int a = 0; a < 3; a++) t[0][a] = scale * e[a];
-  for (int a = 0; a < 3; a++)
-    t[1][a] = n[(a + 1) % 3] * t[0][(a + 2) % 3] - n[(a + 2) % 3] * t[0][(a + 1) % 3];
+  for (int a = 0; a < 3; a++) t[0][a] *= scale;
+  cross_product(n, t[0], t[1]);
 }
 
 /** Geometry and prediction of one pair.
@@ -128,26 +148,28 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
                                      Kernel kernel, double dt)
 {
   ContactState<D> s;
-  double n_low[D], n_high[D], square = 0.0, both = 0.0;
+  const bool loose = pair.loose != 0.0;
+  double n_low[D], n_high[D], square = 0.0, low_one = 0.0, high_one = 0.0;
   carried_normal<D>(low.H, pair.normal_low, n_low);
   carried_normal<D>(high.H, pair.normal_high, n_high);
   for (int a = 0; a < D; a++) {
     s.r[a] = high.x[a] - low.x[a];
-    s.normal[a] = n_low[a] + n_high[a];
+    s.normal[a] = loose ? s.r[a] : n_low[a] + n_high[a];
     square += s.normal[a] * s.normal[a];
-    both += n_low[a] * n_low[a] + n_high[a] * n_high[a];
+    low_one += n_low[a] * n_low[a];
+    high_one += n_high[a] * n_high[a];
   }
 
-  // two loose particles have the line between them as normal. Where two surfaces turn from one end
-  // to the other, depths s below them add up to (s_i + s_j) times the cosine of half the angle
+  // where two surfaces turn from one end to the other, depths s below them add up to (s_i + s_j)
+  // times the cosine of half the angle
 
-  if (both == 0.0)
-    for (int a = 0; a < D; a++) square += s.r[a] * s.r[a];
   const double length = std::sqrt(square);
-  for (int a = 0; a < D; a++)
-    s.normal[a] = length > 0.0 ? (both == 0.0 ? s.r[a] : s.normal[a]) / length : n_low[a];
-  s.lean = both > 1.5 ? 0.5 * length : 1.0;
-  tangents(s.normal, low.H, pair.normal_low, s.tangent);
+  for (int a = 0; a < D; a++) s.normal[a] = length > 0.0 ? s.normal[a] / length : n_low[a];
+  s.lean = !loose && low_one > 0.5 && high_one > 0.5 ? 0.5 * length : 1.0;
+  if (low_one > 0.5)
+    tangents(s.normal, low.H, pair.normal_low, s.tangent);
+  else
+    tangents(s.normal, high.H, pair.normal_high, s.tangent);
 
   double next[D], apart = 0.0, apart_next = 0.0;
   for (int a = 0; a < D; a++) {

@@ -41,10 +41,16 @@ template <int D> struct Moments {
   }
 };
 
+/** Cosine of the angle between the normal of a plane and a line across it, at least. Two particles
+    that have both parted from a third have the middles of these pairs on a line parallel to their
+    own: the plane through those does not lie between them, and only round-off would tell on which
+    side of it one of them is. */
+constexpr double ACROSS = 0.1;
+
 /** Normal of the plane that fits the points best (least squares of the distances), and the mean of
     the points.
     @param direction unit vector to which the normal falls back when the points do not span a
-                     plane; also decides its sign
+                     plane, or one that is not across; also decides its sign
     @param scatter   weight of that direction, in squared lengths: the moment of inertia that the
                      points must have to overrule it
     @param centre    mean of the points, or the origin if there are none */
@@ -59,12 +65,12 @@ void fit_plane(const Moments<D> &points, const double *direction, double scatter
     for (int b = a; b < D; b++, k++)
       C(a, b) = C(b, a) = points.m[k] - n * centre[a] * centre[b] +
           scatter * ((a == b) - direction[a] * direction[b]);
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen;
-  eigen.computeDirect(C);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen(C);
   Eigen::Matrix<double, D, 1> v = eigen.eigenvectors().col(0);
   double along = 0.0;
   for (int a = 0; a < D; a++) along += v[a] * direction[a];
-  for (int a = 0; a < D; a++) normal[a] = along < 0.0 ? -v[a] : v[a];
+  const bool across = along > ACROSS || along < -ACROSS;
+  for (int a = 0; a < D; a++) normal[a] = !across ? direction[a] : along < 0.0 ? -v[a] : v[a];
 }
 
 }    // namespace TMSPH

@@ -45,14 +45,13 @@ inline Invariants invariants_3d(const double *s)
   return {mean, 0.5 * (x * x + y * y + z * z) + s[3] * s[3] + s[4] * s[4] + s[5] * s[5]};
 }
 
-/// All three, ascending, from xx yy zz xy xz yz.
+/// All three, ascending, from xx yy zz xy xz yz. Not in closed form: that loses half of the digits
+/// where two of them are equal, as in each uniaxial state.
 inline Eigen::Vector3d principal_values(const double *s)
 {
   Eigen::Matrix3d A;
   A << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(A, Eigen::EigenvaluesOnly);
-  return eigen.eigenvalues();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 inline Extremes principal_extremes_3d(const double *s)

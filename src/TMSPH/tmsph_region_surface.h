@@ -12,6 +12,9 @@
 
 namespace LAMMPS_NS {
 
+/// of faces that are equally far but for round-off the first one counts
+static constexpr double NEARER = 1.0 - 1.0e-9;
+
 /** Where the surface of a region is nearest to X, if that is nearer than the depth of s: then s
     becomes GIVEN, its normal points away from X. */
 inline void take_nearest_surface(Region &region, const double *X, TMSPH::Surface &s)
@@ -21,7 +24,7 @@ inline void take_nearest_surface(Region &region, const double *X, TMSPH::Surface
       : region.surface_exterior(const_cast<double *>(X), s.depth);
   for (int n = 0; n < found; n++) {
     const Region::Contact &c = region.contact[n];
-    if (c.r <= 0.0 || c.r >= s.depth) continue;
+    if (c.r <= 0.0 || c.r >= NEARER * s.depth) continue;
     s.exposure = TMSPH::Exposure::GIVEN;
     s.depth = c.r;
     s.normal[0] = -c.delx / c.r;

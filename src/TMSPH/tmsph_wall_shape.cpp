@@ -14,6 +14,12 @@ using namespace TMSPH;
 
 namespace {
 
+/// sine of the angle between two segments that are one but for round-off
+constexpr double STRAIGHT = 1.0e-9;
+/// lengths that differ by a smaller share of the reach are equal but for round-off: of two gaps the
+/// first one counts
+constexpr double EQUALLY_FAR = 1.0e-9;
+
 constexpr double PI = 3.14159265358979323846;
 
 Point minus(const Point &a, const Point &b)
@@ -83,8 +89,8 @@ bool WallPolyline::concave(int k, int l, int side) const
 {
   const int n = segments.size();
   if (k >= n || l >= n) return false;    // corners
-  if (after(k) == l && side * cross(segments[k].along, segments[l].along) > 0.0) return true;
-  return after(l) == k && side * cross(segments[l].along, segments[k].along) > 0.0;
+  if (after(k) == l && side * cross(segments[k].along, segments[l].along) > STRAIGHT) return true;
+  return after(l) == k && side * cross(segments[l].along, segments[k].along) > STRAIGHT;
 }
 
 /* ----------------------------------------------------------------------
@@ -96,6 +102,7 @@ bool WallPolyline::concave(int k, int l, int side) const
 int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *found) const
 {
   std::vector<WallTouch> hits;
+  const double same = EQUALLY_FAR * reach;
   const int n = segments.size();
   for (int k = 0; k < n; k++) {
     const Segment &s = segments[k];
@@ -109,7 +116,7 @@ int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *fou
 
     const double first = previous >= 0 && concave(previous, k, side) ? -reach : 0.0;
     const double last = s.length + (next >= 0 && concave(k, next, side) ? reach : 0.0);
-    if (along >= first && along <= last) {
+    if (along >= first - same && along <= last + same) {
       if (std::fabs(gap) < reach) hits.push_back({normal, gap, k});
       continue;
     }
@@ -144,18 +151,20 @@ int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *fou
     };
     hits.erase(std::remove_if(hits.begin(), hits.end(), is_no_place), hits.end());
   }
-  const auto lower = [](const WallTouch &a, const WallTouch &b) { return a.gap < b.gap; };
-  found[0] = front ? *std::min_element(hits.begin(), hits.end(), lower)
-                   : *std::max_element(hits.begin(), hits.end(), lower);
-  int count = 1;
+  const auto least = [&](const auto &counts, double sign) {
+    const WallTouch *best = nullptr;
+    for (const WallTouch &h : hits)
+      if (counts(h) && (!best || sign * (best->gap - h.gap) > same)) best = &h;
+    return best;
+  };
+  found[0] = *least([](const WallTouch &) { return true; }, front ? 1.0 : -1.0);
   const double parallel = std::cos(CONCAVE * PI / 180.0);
-  for (const WallTouch &h : hits) {
-    if (dot(h.normal, found[0].normal) > parallel) continue;
-    if (!(in_front(h) && in_front(found[0])) && !concave(h.piece, found[0].piece, side)) continue;
-    if (count == 1 || h.gap < found[1].gap) found[1] = h;
-    count = 2;
-  }
-  return count;
+  const WallTouch *second = least([&](const WallTouch &h) {
+    return dot(h.normal, found[0].normal) <= parallel &&
+        ((in_front(h) && in_front(found[0])) || concave(h.piece, found[0].piece, side));
+  }, 1.0);
+  if (second) found[1] = *second;
+  return second ? 2 : 1;
 }
 
 /* ---------------------------------------------------------------------- */

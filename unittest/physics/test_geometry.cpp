@@ -133,4 +133,42 @@ TEST_F(Flaws, polygon)
   EXPECT_GT(crossed, 1000);
 }
 
+// points of a lattice on the flaw, bonds that meet its rim: the same answers in turned axes
+TEST_F(Flaws, ties_in_turned_axes)
+{
+  int crossed = 0;
+  for (int k = 0; k < 200; k++) {
+    const Eigen::Rotation2Dd plane(random(-3.0, 3.0));
+    const Eigen::Quaterniond space = Eigen::Quaterniond::FromTwoVectors(random3(), random3());
+    const std::vector<Point3> square = {{-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0}};
+    std::vector<Point3> turned;
+    for (const Point3 &p : square) turned.push_back(space * p);
+    for (int n = 0; n < 200; n++) {
+      const auto lattice = [&]() { return std::round(random(-3.5, 3.5)); };
+      const Point2 a(lattice(), lattice()), b(lattice(), lattice());
+      if (a == b) continue;
+      const auto line = [](const Point2 &u, const Point2 &v, const Eigen::Rotation2Dd &Q) {
+        return crosses_segment(u, v, Q * Point2(-2, 0), Q * Point2(2, 0));
+      };
+      const bool cut = line(a, b, Eigen::Rotation2Dd(0.0));
+      EXPECT_EQ(line(plane * a, plane * b, plane), cut);
+      EXPECT_EQ(cut, line(b, a, Eigen::Rotation2Dd(0.0)));
+      const auto arc = [](const Point2 &u, const Point2 &v, double start) {
+        return crosses_arc(u, v, Point2(0, 0), 2.0, start, std::acos(-1.0));
+      };
+      const bool arced = arc(a, b, 0.0);
+      EXPECT_EQ(arc(plane * a, plane * b, plane.angle()), arced);
+      EXPECT_EQ(arced, arc(b, a, 0.0));
+      const Point3 c(a[0], a[1], lattice()), d(b[0], b[1], lattice());
+      const bool holed = crosses_polygon(c, d, square);
+      EXPECT_EQ(crosses_polygon(space * c, space * d, turned), holed);
+      const bool punched = crosses_disc(c, d, Point3(0, 0, 0), Point3(0, 0, 1), 2.0);
+      EXPECT_EQ(crosses_disc(space * c, space * d, Point3(0, 0, 0), space * Point3(0, 0, 1), 2.0),
+                punched);
+      crossed += cut + arced + holed + punched;
+    }
+  }
+  EXPECT_GT(crossed, 1000);
+}
+
 }    // namespace

@@ -2,11 +2,13 @@
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
    Gradients fitted to neighbors on one side: exact for linear fields, and nearer
-   than a linear fit for quadratic ones, where the ridge leaves a part of its error.
+   than a linear fit for quadratic ones, where the ridge leaves a part of its error;
+   the same in turned axes.
 ------------------------------------------------------------------------- */
 
 #include "tmsph_one_sided_fit.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -86,7 +88,26 @@ template <int D> void check_quadratic()
   EXPECT_LT(half.gradient(u).norm(), half.linear(u).norm());
 }
 
+/// the multipliers of turned neighbors are the turned ones
+template <int D> void check_turned(const Eigen::Matrix<double, D, D> &Q)
+{
+  HalfSpace<D> half(0.2), turned(0.2);
+  turned.X = Q * half.X;
+  ASSERT_TRUE(one_sided_fit<D>(half.X, half.weight, SIZE, half.g));
+  ASSERT_TRUE(one_sided_fit<D>(turned.X, turned.weight, SIZE, turned.g));
+  EXPECT_LT((turned.g - Q * half.g).norm(), 1.0e-13 * half.g.norm());
+}
+
 }    // namespace
+
+TEST(OneSidedFit, TurnsWithTheNeighbors)
+{
+  for (double angle : {0.3, 0.7, 1.9}) {
+    check_turned<2>(Eigen::Rotation2Dd(angle).toRotationMatrix());
+    const Eigen::Vector3d axis = Eigen::Vector3d(1.0, -2.0, 3.0 * angle).normalized();
+    check_turned<3>(Eigen::AngleAxisd(angle, axis).toRotationMatrix());
+  }
+}
 
 TEST(OneSidedFit, LinearFieldsAreExact)
 {

@@ -55,6 +55,33 @@ TEST(WallShape, DistanceOfPolylineIsTheLeastOfAllItsPoints)
   }
 }
 
+// a straight joint and a niche with three equally near sides, in many axes: round-off decides nothing
+TEST(WallShape, TiesAreDecidedAlikeInTurnedAxes)
+{
+  const std::vector<Point> niche = {{-3, 0.5, 0}, {-2, 0.5, 0},  {-1, 0.5, 0}, {-0.5, 0.5, 0},
+                                    {-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {2, 0.5, 0}};
+  const std::vector<Point> inside = {{0, 0, 0}, {-2.25, 0.9, 0}, {-2, 0.9, 0}, {-1.1, 0.75, 0}};
+  for (const Point &x : inside) {
+    WallTouch expected[2];
+    const int count = WallPolyline(niche).touches(x, 1.0, 1, expected);
+    for (int n = 1; n < 300; n++) {
+      const double c = std::cos(0.021 * n), s = std::sin(0.021 * n);
+      const auto turned = [=](const Point &p) {
+        return Point{c * p[0] - s * p[1], s * p[0] + c * p[1], 0.0};
+      };
+      std::vector<Point> points;
+      for (const Point &p : niche) points.push_back(turned(p));
+      WallTouch found[2];
+      ASSERT_EQ(WallPolyline(points).touches(turned(x), 1.0, 1, found), count);
+      for (int k = 0; k < count; k++) {
+        EXPECT_LT(distance(found[k].normal, turned(expected[k].normal)), 1.0e-14);
+        EXPECT_NEAR(found[k].gap, expected[k].gap, 1.0e-14);
+        EXPECT_EQ(found[k].piece, expected[k].piece);
+      }
+    }
+  }
+}
+
 TEST(WallShape, PointsInFrontTouchAtTheLeastDistance)
 {
   std::mt19937_64 engine(8);
