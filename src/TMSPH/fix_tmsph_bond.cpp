@@ -402,8 +402,8 @@ void FixTMSPHBond::stop_lost(int i, tagint partner) const
       strcmp(update->minimize_style, "tmsph/lbfgs") != 0;
   if (careless)
     error->one(FLERR,
-               "Particle {} lost its bonded partner {} in iteration {} of min_style {}, which moves "
-               "particles too far: use 'min_style tmsph/lbfgs'",
+               "Particle {} lost its bonded partner {} in iteration {} of min_style {}, which "
+               "moves particles too far: use 'min_style tmsph/lbfgs'",
                atom->tag[i], partner, update->ntimestep, update->minimize_style);
   error->one(FLERR,
              "Particle {} lost its bonded partner {} on step {}: it moved farther than the ghost "

@@ -190,8 +190,8 @@ void FixTMSPHHeatBoundary::tell()
   for (Fix *fix : modify->get_fix_by_style("^tmsph/heat/boundary$"))
     if (fix->igroup != igroup) return;    // parts of the body have temperatures of their own
   auto pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
-  pair->warn_once(fmt::format("Only group {} of fix tmsph/heat/boundary {} is heated: for heat to go "
-                              "on from there add a fix tmsph/heat", group->names[igroup], id));
+  pair->warn_once(fmt::format("Only group {} of fix tmsph/heat/boundary {} is heated: for heat to "
+                              "go on from there add a fix tmsph/heat", group->names[igroup], id));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -301,10 +301,10 @@ void FixTMSPHHeat::tell()
     const double metric = unit.square_meters_per_second * largest;
     if (metric == 0.0 || (metric > LEAST_DIFFUSIVITY && metric < MOST_DIFFUSIVITY)) continue;
     if (!strange && pair->plausible(type))
-      pair->warn_once(fmt::format("Hardly a solid has a thermal diffusivity of {:.3g} {} as type {}: give "
-                                  "fix tmsph/heat conductivity and specific/heat in the units of the "
-                                  "input, in units si W/m/K and J/kg/K", largest, unit.diffusivity,
-                                  type));
+      pair->warn_once(fmt::format(
+          "Hardly a solid has a thermal diffusivity of {:.3g} {} as type {}: give fix tmsph/heat "
+          "conductivity and specific/heat in the units of the input, in units si W/m/K and J/kg/K",
+          largest, unit.diffusivity, type));
     strange = true;
   }
   for (int k = 0; k < domain->dimension; k++) size = std::max(size, domain->prd[k]);
@@ -314,8 +314,9 @@ void FixTMSPHHeat::tell()
     MPI_Allreduce(&bytes, &all_bytes, 1, MPI_DOUBLE, MPI_SUM, world);
     if (comm->me == 0)
       utils::logmesg(lmp,
-                     "TMSPH heat: {}, {:.0f} bytes per particle, 1 double sent per ghost and stage\n"
-                     "  stable explicit step {:.4g}, heat step {:.4g} every {} steps, {:.3g} of it\n{}",
+                     "TMSPH heat: {}, {:.0f} bytes per particle, 1 double sent per ghost and "
+                     "stage\n  stable explicit step {:.4g}, heat step {:.4g} every {} steps, "
+                     "{:.3g} of it\n{}",
                      rkl2 ? "RKL2" : "explicit", all_bytes / std::max<bigint>(atom->natoms, 1),
                      stable, step, every, step / stable, table.text());
   }
@@ -325,8 +326,8 @@ void FixTMSPHHeat::tell()
   const double by_the_end = covered + update->nsteps * time_scale * update->dt;
   if (step < LEAST_STEP * stable && by_the_end < stable)
     pair->warn_once(fmt::format(
-        "Heat is hardly conducted in this run, which covers {:.2g} of the {:.2g} in which it crosses "
-        "a spacing: give fix tmsph/heat a 'time/scale' of {:.1g} or more",
+        "Heat is hardly conducted in this run, which covers {:.2g} of the {:.2g} in which it "
+        "crosses a spacing: give fix tmsph/heat a 'time/scale' of {:.1g} or more",
         by_the_end, stable, 10.0 * LEAST_STEP * stable / (every * update->dt)));
   bool integrates = false;
   for (const auto &fix : modify->get_fix_list()) integrates = integrates || fix->time_integrate;

@@ -25,13 +25,13 @@ using namespace LAMMPS_NS;
 
 static constexpr double RESTART_FORMAT = 3.0;
 
-// A crack through bonds that break takes 15 sigma^2 dx/(2 E) per area, with sigma the tensile strength
-// and dx the spacing (examples/quench/in.toughness, doc/report/quench.md)
+// A crack through bonds that break takes 15 sigma^2 dx/(2 E) per area, with sigma the tensile
+// strength and dx the spacing (examples/quench/in.toughness, doc/report/quench.md)
 
 static constexpr double CRACK_ENERGY = 15.0 / 2.0;
 
-// strength over Young's modulus: 1/1000 to 1/100 in rock (Deere, Miller, AFWL-TR-65-116, 1966), 1/10 if
-// there were no flaws
+// strength over Young's modulus: 1/1000 to 1/100 in rock (Deere, Miller, AFWL-TR-65-116, 1966),
+// 1/10 if there were no flaws
 
 static constexpr double STRONGEST = 1.0 / 20.0, WEAKEST = 1.0e-6;
 
@@ -144,8 +144,9 @@ void FixTMSPHHoekBrown::tell()
 {
   using namespace TMSPH;
   const UnitNames unit(update->unit_style);
-  TextTable table({"type", heading("UCS", unit.pressure), heading("tensile", unit.pressure), "UCS/E",
-                   heading("crack_energy", unit.area_energy), heading("toughness", unit.toughness)});
+  TextTable table({"type", heading("UCS", unit.pressure), heading("tensile", unit.pressure),
+                   "UCS/E", heading("crack_energy", unit.area_energy),
+                   heading("toughness", unit.toughness)});
   for (int type = 1; type <= atom->ntypes; type++) {
     const double young = pair->material(type).young, tensile = tensile_strength(type);
     const double energy = CRACK_ENERGY * tensile * tensile * pair->spacing_of(type) / young;
@@ -156,15 +157,19 @@ void FixTMSPHHoekBrown::tell()
   const std::string rows = table.text();
   if (!pair->news(rows)) return;
   if (comm->me == 0)
-    utils::logmesg(lmp, "TMSPH breaking: Hoek-Brown, a crack takes {} tensile^2 spacing/E, its "
-                        "characteristic length is {} spacings\n{}", CRACK_ENERGY, CRACK_ENERGY, rows);
+    utils::logmesg(lmp,
+                   "TMSPH breaking: Hoek-Brown, a crack takes {} tensile^2 spacing/E, its "
+                   "characteristic length is {} spacings\n{}",
+                   CRACK_ENERGY, CRACK_ENERGY, rows);
   for (int type = 1; type <= atom->ntypes; type++) {
     const double ratio = rocks[type].strength / pair->material(type).young;
     if (!pair->plausible(type) || (ratio >= WEAKEST && ratio <= STRONGEST)) continue;
-    pair->warn_once(fmt::format("Strength {} of type {} is {:.3g} of its Young's modulus, {}, in rock "
-                                "it is 1e-3 to 1e-2: give both in {}", rocks[type].strength, type,
-                                ratio, pair->material(type).young,
-                                unit.pressure.empty() ? "the same unit" : unit.pressure));
+    pair->warn_once(fmt::format(
+        "Strength {} of type {} is {:.3g} of its Young's modulus, {}, in rock it is 1e-3 to 1e-2: "
+        "give both in {}{}",
+        rocks[type].strength, type, ratio, pair->material(type).young,
+        unit.pressure.empty() ? "the same unit" : unit.pressure,
+        ratio > STRONGEST ? "; a type with a 25th of the modulus does not break either" : ""));
     return;
   }
 }
@@ -182,10 +187,10 @@ void FixTMSPHHoekBrown::warn_of_hot_start()
   MPI_Allreduce(&mine[1], &all[1], 1, MPI_DOUBLE, MPI_MAX, world);
   const double part = all[0] / std::max<bigint>(bonds->count_bonds(FixTMSPHBond::INTACT), 1);
   if (part <= HOT_START || pair->warned()) return;    // that may be the reason
-  pair->warn_once(fmt::format("{:.0f} % of the bonds break on the first step, which is not near "
-                              "equilibrium: {}give 'minimize' before the run", 100.0 * part,
-                              all[1] > 0.0 ? "in pair_coeff give the 'reference' temperature without "
-                                             "stress, or " : ""));
+  pair->warn_once(fmt::format(
+      "{:.0f} % of the bonds break on the first step, which is not near equilibrium: {}give "
+      "'minimize' before the run", 100.0 * part,
+      all[1] > 0.0 ? "in pair_coeff give the 'reference' temperature without stress, or " : ""));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -28,9 +28,9 @@ void FixTMSPHWall::check_place() const
   bigint cut;
   const double depth = depth_in_body(cut);
   if (depth > 0.0) {
-    pair->warn_once(fmt::format("Wall {} stands {:.3g} deep in the body and crosses {} bonds: put it "
-                                "outside, half a cell, half of {}, from the surface particles", id,
-                                depth, cut, edge));
+    pair->warn_once(fmt::format("Wall {} stands {:.3g} deep in the body and crosses {} bonds: put "
+                                "it outside, half a cell, half of {}, from the surface particles",
+                                id, depth, cut, edge));
     return;
   }
   if (!both_sides && in_front() == 0) {
@@ -46,9 +46,9 @@ void FixTMSPHWall::check_place() const
       if (t.penetration[p] > ROUND_OFF * gap_of(t.i)) deepest = std::max(deepest, t.penetration[p]);
   MPI_Allreduce(&deepest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   if (all > 0.0)
-    pair->warn_once(fmt::format("Particles overlap wall {} from the start, by up to {:.3g}, and are "
-                                "pushed out: half a cell, half of {}, belongs between a surface "
-                                "particle and a wall", id, all, edge));
+    pair->warn_once(fmt::format("Particles overlap wall {} from the start, by up to {:.3g}, and "
+                                "are pushed out: half a cell, half of {}, belongs between a "
+                                "surface particle and a wall", id, all, edge));
 }
 
 /* ----------------------------------------------------------------------

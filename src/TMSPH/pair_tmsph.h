@@ -212,7 +212,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
     bigint particles = 0;
     std::array<double, 5> material{};
     double volume = 0.0;                          // of all of them
-    double spacing = 0.0, cell = 0.0;             // means of nearest distances and their d-th powers
+    double spacing = 0.0, cell = 0.0;             // means of nearest distances, of d-th powers
   };
   std::vector<Present> present;                   // [type]
   std::set<std::string> warnings, told;           // that were given

@@ -68,8 +68,8 @@ std::string PairTMSPH::doubtful_material() const
   for (int type = 1; type <= atom->ntypes; type++) {
     const Material &m = materials[type];
     if (!plausible(type))
-      return fmt::format("No solid has waves of {:.3g} {} as type {}: give its Young's modulus, {}, "
-                         "in {}, and its density, {}, in {}",
+      return fmt::format("No solid has waves of {:.3g} {} as type {}: give its Young's modulus, "
+                         "{}, in {}, and its density, {}, in {}",
                          wave_speed(m), unit.speed, type, m.young, unit.pressure, m.density,
                          unit.density);
     if (unit.meters_per_second > 0.0 && std::fabs(m.expansion) > MOST_EXPANSION)
@@ -99,8 +99,8 @@ void PairTMSPH::check_reach() const
   const double spacing = std::pow(volume / std::max<bigint>(atom->natoms, 1), 1.0 / D);
   if (std::isfinite(spacing) && spacing > 0.0 && cutoff > ABSURD_HORIZON * spacing)
     error->all(FLERR,
-               "The horizon {} of pair_style tmsph is {:.3g} particle spacings: give it as a length, "
-               "{} spacings are {:.3g}",
+               "The horizon {} of pair_style tmsph is {:.3g} particle spacings: give it as a "
+               "length, {} spacings are {:.3g}",
                cutoff, cutoff / spacing, USUAL_HORIZON, USUAL_HORIZON * spacing);
 }
 
@@ -113,8 +113,8 @@ std::string PairTMSPH::doubtful_horizon() const
     if (spacing == 0.0) continue;
     const bool shorter = own < SHORTEST_HORIZON * spacing;
     if (!shorter && own < LONGEST_HORIZON * spacing) continue;
-    return fmt::format("The horizon {:.4g} of type {} is {:.3g} spacings, which makes {}: give {} of "
-                       "them, {:.4g}", own, type, own / spacing,
+    return fmt::format("The horizon {:.4g} of type {} is {:.3g} spacings, which makes {}: give {} "
+                       "of them, {:.4g}", own, type, own / spacing,
                        shorter ? "strains inexact" : "surfaces too soft", USUAL_HORIZON,
                        USUAL_HORIZON * spacing);
   }
@@ -122,8 +122,8 @@ std::string PairTMSPH::doubtful_horizon() const
 }
 
 /* ----------------------------------------------------------------------
-   A thickness in 2-D that is neither 1 nor of the order of the body, and volumes in 3-D that are not
-   of the order of the cube of the spacing: lattices have 0.7 to 1 of it, a random cloud 4
+   A thickness in 2-D that is neither 1 nor of the order of the body, and volumes in 3-D that are
+   not of the order of the cube of the spacing: lattices have 0.7 to 1 of it, a random cloud 4
 ------------------------------------------------------------------------- */
 
 std::string PairTMSPH::doubtful_volume() const
@@ -140,8 +140,9 @@ std::string PairTMSPH::doubtful_volume() const
                          "about {:.3g}, with 'set type {} volume'", type, ratio, t.cell, type);
     if (domain->dimension == 2 && thickness != 1.0 &&
         (thickness > 100.0 * size || thickness < 0.01 * t.spacing))
-      return fmt::format("Volumes of particles make the body {:.3g} thick: in 2-D they are area times "
-                         "thickness, give {:.3g} for a thickness of 1 with 'set group all volume'",
+      return fmt::format("Volumes of particles make the body {:.3g} thick: in 2-D they are area "
+                         "times thickness, give {:.3g} for a thickness of 1 with 'set group all "
+                         "volume'",
                          thickness, t.cell);
   }
   return "";
@@ -160,8 +161,8 @@ std::string PairTMSPH::doubtful_place() const
     if (present[type].spacing > 0.0) spacing = std::min(spacing, present[type].spacing);
   const double unit = std::nextafter(farthest, HUGE_VAL) - farthest;
   if (!(unit > POSITION_LOSS * spacing)) return "";
-  return fmt::format("Positions of {:.3g} are rounded to {:.1g} of the spacing: put the body near the "
-                     "origin", farthest, unit / spacing);
+  return fmt::format("Positions of {:.3g} are rounded to {:.1g} of the spacing: put the body near "
+                     "the origin", farthest, unit / spacing);
 }
 
 /* ----------------------------------------------------------------------
@@ -185,8 +186,8 @@ void PairTMSPH::check_groups()
   if (!atom->natoms) return;
   for (Fix *fix : modify->get_fix_list())
     if (fix->igroup > 0 && !group->dynamic[fix->igroup] && group->count(fix->igroup) == 0)
-      warn_once(fmt::format("Group {} of fix {} is empty: check the region or the types that it was "
-                            "made of, and that particles were there before it",
+      warn_once(fmt::format("Group {} of fix {} is empty: check the region or the types that it "
+                            "was made of, and that particles were there before it",
                             group->names[fix->igroup], fix->id));
 }
 

@@ -48,7 +48,7 @@ void PairTMSPH::run_begins()
   if (!doubt.empty()) warn_once(doubt);
   check_groups();
   check_expansion();
-  const std::vector<Fix *> fixes = modify->get_fix_list();    // which LAMMPS makes anew at each call
+  const std::vector<Fix *> fixes = modify->get_fix_list();    // a copy: LAMMPS makes it anew
   for (Fix *fix : fixes)
     if (auto reporter = dynamic_cast<TMSPHReporter *>(fix)) reporter->tell();
 }

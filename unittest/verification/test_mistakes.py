@@ -72,7 +72,7 @@ MISTAKES = [
     ("strength in MPa", PLATE, replaced("break", "150e6", "150"), PLATE,
      "Strength 150 of type 1|Young's modulus|give both in Pa"),
     ("strength in the place of the modulus", PLATE, replaced("break", "150e6", "40e9"), PLATE,
-     "Strength 40000000000 of type 1|give both in Pa"),
+     "Strength 40000000000 of type 1|give both in Pa|a 25th of the modulus"),
     ("strength in kPa, 3-D", CUBE, replaced("break", "150e6", "15e3"), CUBE,
      "Strength 15000 of type 1|give both in Pa"),
     ("horizon in spacings", PLATE, replaced("pair", "3.015e-3", "3.015"), PLATE,
