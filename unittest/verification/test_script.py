@@ -160,6 +160,20 @@ def what_fails(place):
     report.true("another LAMMPS", status == 1 and "4Feb2025 or 4Jul2026" in said, said.strip())
 
 
+def pages_and_make():
+    """The batch script of README is one, and traditional make is refused in one line."""
+    text = (ROOT / "README.md").read_text()
+    block = text[text.index("#!/bin/bash"):]
+    done = subprocess.run(["bash", "-n"], input=block[:block.index("```")], text=True,
+                          capture_output=True)
+    report.true("batch script of README", done.returncode == 0, done.stderr or "its syntax is right")
+    done = subprocess.run(["sh", "Install.sh", "1"], cwd=ROOT / "src/TMSPH", text=True,
+                          capture_output=True)
+    report.true("make yes-tmsph", done.returncode != 0 and done.stderr.count("\n") == 1
+                and "./tmsph" in done.stderr, done.stderr.strip())
+
+
+pages_and_make()
 for part in (what_is_built, what_waits, what_fails):
     with tempfile.TemporaryDirectory() as folder:
         part(Place(folder))
