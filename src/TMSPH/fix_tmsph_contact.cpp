@@ -34,14 +34,14 @@ unsigned FixTMSPHContact::states() const
 
 void FixTMSPHContact::setup_pre_force(int)
 {
-  resumed = TMSPHLastForce::untouched(atom, memories, world);
+  resumed = TMSPHLastForce::untouched(lmp, memories);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHContact::post_run()
 {
-  TMSPHLastForce::stamp(atom, memories);
+  TMSPHLastForce::stamp(lmp, memories);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -301,7 +301,7 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
 
 void FixTMSPHContact::write_restart(FILE *fp)
 {
-  TMSPHLastForce::stamp(atom, memories);
+  TMSPHLastForce::stamp(lmp, memories);
   std::vector<double> list = {RESTART_FORMAT, (double) exchange_size(1, 1, 1, 1)};
   for (int n = 0; n < NTOTALS; n++) list.push_back(compute_vector(n));
   list.insert(list.end(), {compute_scalar(), ubuf(last_search).d, ubuf(next_search).d, search_dt,

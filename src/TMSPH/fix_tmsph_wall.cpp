@@ -374,7 +374,7 @@ void FixTMSPHWall::setup(int)
 {
   if (!started) evaluate_inputs();
   list_candidates();
-  if (started && TMSPHLastForce::untouched(atom, memories, world)) {
+  if (started && TMSPHLastForce::untouched(lmp, memories)) {
     for (int i = 0; i < atom->nlocal; i++) {
       const auto found = memories.find(atom->tag[i]);
       if (found == memories.end()) continue;
@@ -418,7 +418,7 @@ void FixTMSPHWall::min_post_force(int)
 
 void FixTMSPHWall::post_run()
 {
-  TMSPHLastForce::stamp(atom, memories);
+  TMSPHLastForce::stamp(lmp, memories);
 }
 
 /* ----------------------------------------------------------------------

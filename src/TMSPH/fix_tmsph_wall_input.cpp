@@ -340,7 +340,7 @@ int FixTMSPHWall::unpack_exchange(int nlocal, double *buf)
 
 void FixTMSPHWall::write_restart(FILE *fp)
 {
-  TMSPHLastForce::stamp(atom, memories);
+  TMSPHLastForce::stamp(lmp, memories);
   std::vector<double> list = {RESTART_FORMAT};
   for (int n = 0; n < NTOTALS; n++) list.push_back(compute_vector(n));
   list.push_back(compute_scalar());

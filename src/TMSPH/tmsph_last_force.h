@@ -10,8 +10,11 @@
 #define LMP_TMSPH_LAST_FORCE_H
 
 #include "atom.h"
+#include "domain.h"
+#include "lammps.h"
 #include "tmsph_fingerprint.h"
 
+#include <algorithm>
 #include <mpi.h>
 
 namespace LAMMPS_NS {
@@ -23,26 +26,40 @@ namespace TMSPHLastForce {
   /// an error if a fix defined after this one adds forces, unless it is of this package
   void refuse_later_forces(class LAMMPS *, const Fix *);
 
-  /// notes positions and velocities; Memories: map from ids to structs with a "stamp"
-  template <class Memories> void stamp(Atom *atom, Memories &memories)
+  /** Of a particle, the same in a run and after LAMMPS has put it back into the box, by the
+      operations of Domain::pbc(). */
+  inline std::uint64_t fingerprint(const LAMMPS *lmp, int i)
   {
-    for (int i = 0; i < atom->nlocal; i++) {
-      const auto found = memories.find(atom->tag[i]);
-      if (found != memories.end())
-        found->second.stamp = TMSPH::fingerprint(atom->x[i], atom->v[i]);
+    const Domain *domain = lmp->domain;
+    double x[3];
+    for (int k = 0; k < 3; k++) {
+      x[k] = lmp->atom->x[i][k];
+      if (!domain->periodicity[k]) continue;
+      if (x[k] < domain->boxlo[k]) x[k] += domain->prd[k];
+      if (x[k] >= domain->boxhi[k]) x[k] = std::max(x[k] - domain->prd[k], domain->boxlo[k]);
+    }
+    return TMSPH::fingerprint(x, lmp->atom->v[i]);
+  }
+
+  /// notes positions and velocities; Memories: map from ids to structs with a "stamp"
+  template <class Memories> void stamp(const LAMMPS *lmp, Memories &memories)
+  {
+    for (int i = 0; i < lmp->atom->nlocal; i++) {
+      const auto found = memories.find(lmp->atom->tag[i]);
+      if (found != memories.end()) found->second.stamp = fingerprint(lmp, i);
     }
   }
 
   /// true if they are still those noted, on all processors (collective)
-  template <class Memories> bool untouched(Atom *atom, const Memories &memories, MPI_Comm world)
+  template <class Memories> bool untouched(const LAMMPS *lmp, const Memories &memories)
   {
     int same = 1, all_same;
-    for (int i = 0; i < atom->nlocal; i++) {
-      const auto found = memories.find(atom->tag[i]);
+    for (int i = 0; i < lmp->atom->nlocal; i++) {
+      const auto found = memories.find(lmp->atom->tag[i]);
       if (found == memories.end()) continue;
-      if (found->second.stamp != TMSPH::fingerprint(atom->x[i], atom->v[i])) same = 0;
+      if (found->second.stamp != fingerprint(lmp, i)) same = 0;
     }
-    MPI_Allreduce(&same, &all_same, 1, MPI_INT, MPI_MIN, world);
+    MPI_Allreduce(&same, &all_same, 1, MPI_INT, MPI_MIN, lmp->world);
     return all_same;
   }
 
