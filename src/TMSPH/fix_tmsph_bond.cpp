@@ -39,7 +39,8 @@ FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), laid_out(false),
     faced(false), maxpartner(1), npartner(nullptr), partner(nullptr), state(nullptr),
     own_tag(nullptr), first_tag(nullptr), lag(nullptr), horizon(0.0), kappa(0.0),
-    thickness(1.0), period{0.0, 0.0, 0.0}, natoms_at_setup(0), version(0), nremoved(0),
+    thickness(1.0), period{0.0, 0.0, 0.0}, corner{0.0, 0.0, 0.0},
+    natoms_at_setup(0), version(0), nremoved(0),
     what_to_send(REFERENCE)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
@@ -184,6 +185,7 @@ void FixTMSPHBond::form()
                "the first run; types without bonds between them have 'pair_coeff I J none'");
   for (int k = 0; k < 3; k++) {
     period[k] = periodicity[k] && k < domain->dimension ? domain->prd[k] : 0.0;
+    corner[k] = domain->boxlo[k];
     if (period[k] > 0.0 && period[k] < 2.0 * horizon)
       error->all(FLERR,
                  "Periodic box length {} in {} is shorter than two horizons of {}: enlarge the box "
@@ -398,6 +400,7 @@ void FixTMSPHBond::lay_out()
 
 void FixTMSPHBond::stop_lost(int i, tagint partner) const
 {
+  refuse_changed_images(i, partner);
   const bool careless = update->whichflag == 2 &&
       strcmp(update->minimize_style, "tmsph/lbfgs") != 0;
   if (careless)

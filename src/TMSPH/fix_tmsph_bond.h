@@ -110,6 +110,11 @@ class FixTMSPHBond : public Fix {
   }
   /// reference position of a local or ghost particle, in the frame of its present image
   const double *reference(int i) const { return xref.data() + 3 * (size_t) i; }
+  /// and in the box in which the bonds formed
+  void reference_in_box(int i, double *X) const;
+  /// where that begins, and its length if it is periodic in this direction, else 0
+  double reference_corner(int k) const { return corner[k]; }
+  double reference_period(int k) const { return period[k]; }
   /// X_j - X_i, the nearest image, the same to the last bit (but for sign) from both ends
   void reference_vector(int i, int j, double *X) const;
   /// true if an intact bond joins local particle i to the particle with this id
@@ -169,6 +174,7 @@ class FixTMSPHBond : public Fix {
   double kappa;
   double thickness;
   double period[3];             // reference box lengths in periodic directions, else 0
+  double corner[3];             // and where that box begins
   bigint natoms_at_setup;
   int version, nremoved;
 
@@ -187,6 +193,7 @@ class FixTMSPHBond : public Fix {
   void lay_out();
   int find_partner(int, tagint) const;
   void stop_lost(int, tagint) const;
+  void refuse_changed_images(int i, tagint partner) const;
   void check_families() const;
   double largest_kappa() const;
   double find_thickness() const;

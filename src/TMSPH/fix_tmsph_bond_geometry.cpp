@@ -31,6 +31,16 @@ void FixTMSPHBond::reference_vector(int i, int j, double *X) const
 
 /* ---------------------------------------------------------------------- */
 
+void FixTMSPHBond::reference_in_box(int i, double *X) const
+{
+  for (int k = 0; k < 3; k++) {
+    X[k] = atom->x0[i][k];
+    if (period[k] > 0.0) X[k] -= period[k] * std::floor((X[k] - corner[k]) / period[k]);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
 double FixTMSPHBond::reference_distance(int i, int j) const
 {
   double X[3];

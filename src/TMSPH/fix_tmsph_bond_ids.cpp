@@ -13,6 +13,7 @@
 #include "modify.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 #include <vector>
 
@@ -126,6 +127,25 @@ void FixTMSPHBond::follow_ids()
     own_tag[i] = atom->tag[i];
   }
   former_tag.clear();
+}
+
+/* ----------------------------------------------------------------------
+   A partner that is near, but not in the reference frame, has another image flag than when the
+   bonds formed, and did not move by a period.
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_changed_images(int i, tagint partner) const
+{
+  for (int j = atom->map(partner); j >= 0; j = atom->sametag[j]) {
+    double r2 = 0.0;
+    for (int k = 0; k < 3; k++) r2 += std::pow(atom->x[j][k] - atom->x[i][k], 2);
+    if (r2 < horizon * horizon)
+      error->one(FLERR,
+                 "Particles {} and {}, which are bonded, have image flags that were changed since "
+                 "the bonds formed: do without 'set image' and 'reset_atoms image', or use them "
+                 "before the first run",
+                 atom->tag[i], partner);
+  }
 }
 
 /* ----------------------------------------------------------------------

@@ -22,7 +22,7 @@ using namespace LAMMPS_NS;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 2.0;
+static constexpr double RESTART_FORMAT = 3.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -160,7 +160,8 @@ void FixTMSPHBond::write_restart(FILE *fp)
   if (comm->me) return;
   std::vector<double> list = {RESTART_FORMAT,          (double) bonds_formed, (double) maxpartner,
                               (double) (lag != nullptr), (double) faced,        period[0],
-                              period[1],                 period[2],             kappa,
+                              period[1],                 period[2],             corner[0],
+                              corner[1],                 corner[2],             kappa,
                               thickness,                 horizon};
   const size_t first = list.size() - 1;
   list.resize(first + 1 + atom->ntypes);
@@ -174,7 +175,7 @@ void FixTMSPHBond::write_restart(FILE *fp)
 
 void FixTMSPHBond::restart(char *buf)
 {
-  std::vector<double> list(11 + atom->ntypes);
+  std::vector<double> list(14 + atom->ntypes);
   memcpy(list.data(), buf, sizeof(double));
   check_restart_format(error, "pair style tmsph", list[0], RESTART_FORMAT);
   memcpy(list.data(), buf, list.size() * sizeof(double));
@@ -182,11 +183,14 @@ void FixTMSPHBond::restart(char *buf)
   resize_partners((int) list[2]);
   if (list[3] != 0.0) memory->create(lag, atom->nmax, 6, "tmsph/bond:lag");
   faced = list[4] != 0.0;
-  for (int k = 0; k < 3; k++) period[k] = list[5 + k];
-  kappa = list[8];
-  thickness = list[9];
-  horizon = list[10];
-  type_horizons.assign(list.begin() + 10, list.end());
+  for (int k = 0; k < 3; k++) {
+    period[k] = list[5 + k];
+    corner[k] = list[8 + k];
+  }
+  kappa = list[11];
+  thickness = list[12];
+  horizon = list[13];
+  type_horizons.assign(list.begin() + 13, list.end());
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
   natoms_at_setup = atom->natoms;
 }

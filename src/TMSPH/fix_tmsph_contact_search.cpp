@@ -55,10 +55,8 @@ template <int D> struct SearchRow {
 Surface FixTMSPHContact::given_surface(int i) const
 {
   Surface s;
-  double X[3];
-  std::copy_n(bonds->reference(i), 3, X);
   s.depth = pair->horizon();
-  for (Region *region : regions) take_nearest_surface(*region, X, s);
+  for (Region *region : regions) take_nearest_surface(*region, *bonds, i, s);
   return s;
 }
 

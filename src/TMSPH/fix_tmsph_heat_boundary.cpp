@@ -319,7 +319,7 @@ void FixTMSPHHeatBoundary::find_surface()
     if (region) {
       TMSPH::Surface exact;
       exact.depth = 2.0 * bonds.reach();
-      take_nearest_surface(*region, bonds.reference(i), exact);
+      take_nearest_surface(*region, bonds, i, exact);
       if (exact.exposure == TMSPH::Exposure::GIVEN) share.surface = exact;
     }
     row[AREA] = share.area;

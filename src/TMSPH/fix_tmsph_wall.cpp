@@ -24,10 +24,6 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// how far behind the surface a centre is still held, in half cells
-
-static constexpr double REACH = 2.0;
-
 // a particle that just touches, but for round-off, remembers where; gap in half cells
 
 static constexpr double TOUCHES_STILL = 1.0e-9;
@@ -113,16 +109,6 @@ double FixTMSPHWall::speed() const
   return std::sqrt(dot(motion.velocity, motion.velocity)) + std::fabs(motion.spin) * farthest;
 }
 
-/* ----------------------------------------------------------------------
-   in 2-D in the plane of the wall
-------------------------------------------------------------------------- */
-
-TMSPH::Point FixTMSPHWall::position_of(int i) const
-{
-  const double *x = atom->x[i];
-  return {x[0], x[1], domain->dimension == 3 ? x[2] : 0.0};
-}
-
 /* ---------------------------------------------------------------------- */
 
 double FixTMSPHWall::gap_of(int i) const
@@ -141,88 +127,6 @@ double FixTMSPHWall::stiffness_of(int i, double penetration, double dt) const
   return half_cells(&cell, 1, stiffness, penetration) * atom->vfrac[i] / cell.spacing;
 }
 
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHWall::list_candidates()
-{
-  version = pair->bonds()->layout_version();
-  candidates.clear();
-  travel = skin = farthest = 0.0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) skin = std::max(skin, 2.0 * gap_of(i));
-  const Point centre = motion.centre();
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const Point x = position_of(i);
-    const Point r = {x[0] - centre[0], x[1] - centre[1], x[2] - centre[2]};
-    farthest = std::max(farthest, std::sqrt(dot(r, r)));
-    if (shape->distance(motion.to_body(x)) < (1.0 + REACH) * gap_of(i) + skin)
-      candidates.push_back(i);
-  }
-  for (auto m = memories.begin(); m != memories.end();) {    // of particles that are gone
-    const int i = atom->map(m->first);
-    const bool here = i >= 0 && i < atom->nlocal && (atom->mask[i] & groupbit);
-    m = here ? std::next(m) : memories.erase(m);
-  }
-}
-
-/* ----------------------------------------------------------------------
-   no particle has come nearer than the sum of the largest steps so far
-------------------------------------------------------------------------- */
-
-void FixTMSPHWall::follow()
-{
-  double square = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double *v = atom->v[i];
-    square = std::max(square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  }
-  travel += update->dt * std::sqrt(square);
-  if (version == pair->bonds()->layout_version() && travel < skin) return;
-  list_candidates();
-}
-
-/* ----------------------------------------------------------------------
-   where the candidates touch, and how deep they would be at the end of the step
-   without contact; dt = 0: as they are
-------------------------------------------------------------------------- */
-
-void FixTMSPHWall::find_touching(double dt)
-{
-  touching.clear();
-  const double ahead = TMSPH::ahead(law, dt);
-  for (int i : candidates) {
-    const Point x = position_of(i);
-    const Point body = motion.to_body(x);
-    const double gap = gap_of(i);
-    const auto found = memories.find(atom->tag[i]);
-    Touching t;
-    t.i = i;
-    t.side = !both_sides ? 1
-        : found != memories.end() ? found->second.side
-                                  : shape->side_of(body);
-    t.places = shape->touches(body, REACH * gap, t.side, t.place);
-    if (t.places == 0) {
-      if (found != memories.end()) memories.erase(found);
-      continue;
-    }
-    const Point v = motion.velocity_at(x);
-    double deepest = -gap;
-    for (int p = 0; p < t.places; p++) {
-      t.place[p].normal = motion.turned(t.place[p].normal);
-      t.penetration[p] = t.predicted[p] = gap - t.place[p].gap;
-      deepest = std::max(deepest, t.penetration[p]);
-      for (int a = 0; a < 3; a++) {
-        const double driven = is_free[a] ? load[a].value / mass : 0.0;
-        t.predicted[p] -= t.place[p].normal[a] * ahead *
-            (atom->v[i][a] - v[a] + ahead * (atom->f[i][a] / atom->rmass[i] - driven));
-      }
-    }
-    t.stiffness = stiffness_of(i, deepest, dt > 0.0 ? dt : update->dt);
-    touching.push_back(t);
-  }
-}
-
 /* ----------------------------------------------------------------------
    the force on one particle
    @param dragged dt^2/mass of the wall times the stiffness of all that touch it
@@ -234,7 +138,7 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
   const double m = atom->rmass[i], k = t.stiffness;
   const double ahead = TMSPH::ahead(law, dt);
   const double q = ahead * ahead * k / m + dragged;
-  const Point x = position_of(i);
+  const Point &x = t.x;
   const Point wall = motion.velocity_at(x);
 
   double normal[2] = {};
@@ -260,9 +164,6 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
 
   Memory &memory = memories[atom->tag[i]];
   if (memory.side == 0) memory.side = t.side;
-  double out[3] = {0.0, 0.0, 0.0}, none[3] = {0.0, 0.0, 0.0};
-  domain->unmap(out, atom->image[i], none);
-  const Point image = {none[0], none[1], none[2]};
   Anchor anchors[2];
   bool taken[2] = {false, false};
   Point force = {0.0, 0.0, 0.0};
@@ -283,7 +184,7 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
     if (which >= 0) {
       taken[which] = true;
       Point origin = motion.to_space(memory.anchors[which].point);
-      for (int a = 0; a < 3; a++) origin[a] += memory.image[a] - image[a];
+      to_image_near(x, origin);
       anchors[p].point = motion.to_body(origin);
     }
     const Point origin = motion.to_space(anchors[p].point);
@@ -322,7 +223,6 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
   totals[TOUCHES] += 1.0;
   memory.count = t.places;
   std::copy_n(anchors, t.places, memory.anchors);
-  memory.image = image;
   for (int a = 0; a < 3; a++) atom->f[i][a] += memory.force[a];
 }
 

@@ -73,7 +73,6 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   struct Memory {
     double force[3] = {};
     std::uint64_t stamp = 0;                   // fingerprint at the end of the run
-    Point image = {};                          // shift from the box to where it really is
     int side = 0;                              // on which it touched first
     int count = 0;                             // of anchors
     Anchor anchors[2] = {};
@@ -84,9 +83,15 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
     int index = -1;
     double value = 0.0;
   };
+  /** A particle that may touch before all have moved "skin" in sum, at an image of it. */
+  struct Candidate {
+    int i;
+    Point shift;    // to the image
+  };
   /** A particle that may feel the wall in this step. */
   struct Touching {
     int i, places, side;
+    Point x;        // at its image
     TMSPH::WallTouch place[2];
     double predicted[2], penetration[2];
     double stiffness;
@@ -106,7 +111,10 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   bool varies;                   // some input is a variable
 
   std::unordered_map<tagint, Memory> memories;    // by id
-  std::vector<int> candidates;                    // may touch before all have moved "skin" in sum
+  std::vector<Candidate> candidates;              // images of a particle one after the other
+  bool repeats[3];                                // the wall is there once in each period
+  Point middle;                                   // of the wall
+  bool warned;                                    // of a wall longer than that
   double skin, travel, farthest;                  // farthest: from the pivot, when they were listed
   int version;                                    // of the bonds when they were listed
   bool started;                                   // this or an earlier run has been set up
@@ -128,9 +136,14 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   Input number_or_variable(const char *) const;
   double evaluate(Input &);
   void evaluate_inputs();
+  void find_periods();
   void list_candidates();
-  void follow();
   Point position_of(int i) const;
+  void list_images(int i, double within);
+  void follow();
+  void to_image_near(const Point &x, Point &p) const;
+  bool touch(const Candidate &, Touching &) const;
+  void predict(Touching &, double dt) const;
   double gap_of(int i) const;
   double stiffness_of(int i, double penetration, double dt) const;
   void find_touching(double dt);

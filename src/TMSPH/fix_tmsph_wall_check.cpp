@@ -66,13 +66,15 @@ double FixTMSPHWall::depth_in_body(bigint &bonds_cut) const
   bigint crossing = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const Point from = motion.to_body(position_of(i));
+    const Point here = position_of(i), from = motion.to_body(here);
     const double distance = shape->distance(from);
     if (distance > horizon) continue;
     for (int k = 0; k < bonds->count(i); k++) {
       const int j = bonds->partner_index(i, k);
       if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT || !(atom->mask[j] & groupbit)) continue;
-      const Point to = motion.to_body(position_of(j));
+      Point there = here;
+      for (int a = 0; a < domain->dimension; a++) there[a] += atom->x[j][a] - atom->x[i][a];
+      const Point to = motion.to_body(there);
       if (!cuts(from, to)) continue;
       crossing++;
       const double nearer = std::min(distance, shape->distance(to));

@@ -29,7 +29,7 @@ using namespace TMSPH;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 2.0;
+static constexpr double RESTART_FORMAT = 3.0;
 
 static constexpr double DEGREE = 3.14159265358979323846 / 180.0;
 
@@ -37,8 +37,8 @@ static constexpr double DEGREE = 3.14159265358979323846 / 180.0;
 
 FixTMSPHWall::FixTMSPHWall(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), law(ContactLaw::IMPLICIT), friction(0.0), stiffness(1.0),
-    both_sides(false), turns(false), is_free{}, mass(0.0), varies(false), skin(0.0), travel(0.0),
-    farthest(0.0), version(-1), started(false), totals{}, energy(0.0)
+    both_sides(false), turns(false), is_free{}, mass(0.0), varies(false), repeats{}, middle{},
+    warned(false), skin(0.0), travel(0.0), farthest(0.0), version(-1), started(false), totals{}, energy(0.0)
 {
   if (!atom->vfrac_flag || !atom->rmass_flag)
     error->all(FLERR, "Fix tmsph/wall needs an atom style with volume and mass: atom_style tmsph");
@@ -51,7 +51,7 @@ FixTMSPHWall::FixTMSPHWall(LAMMPS *lmp, int narg, char **arg) :
   energy_global_flag = 1;
   restart_global = restart_peratom = 1;
   stores_ids = 1;
-  maxexchange = 24;    // see pack_exchange()
+  maxexchange = 14;    // see pack_exchange()
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
 }
@@ -282,11 +282,12 @@ void FixTMSPHWall::init()
     varies = true;
   }
   version = -1;
+  find_periods();
   TMSPHLastForce::refuse_later_forces(lmp, this);
 }
 
 /* ----------------------------------------------------------------------
-   for one particle: anchors or -1, side, force, stamp, image, the anchors
+   for one particle: anchors or -1, side, force, stamp, the anchors
 ------------------------------------------------------------------------- */
 
 int FixTMSPHWall::pack_exchange(int i, double *buf)
@@ -302,7 +303,6 @@ int FixTMSPHWall::pack_exchange(int i, double *buf)
   *p++ = ubuf(memory.side).d;
   p = std::copy_n(memory.force, 3, p);
   *p++ = ubuf((int64_t) memory.stamp).d;
-  p = std::copy_n(memory.image.data(), 3, p);
   for (int n = 0; n < memory.count; n++) {
     *p++ = ubuf(memory.anchors[n].piece).d;
     p = std::copy_n(memory.anchors[n].point.data(), 3, p);
@@ -326,7 +326,6 @@ int FixTMSPHWall::unpack_exchange(int nlocal, double *buf)
   memory.side = (int) ubuf(*p++).i;
   take(memory.force);
   memory.stamp = (std::uint64_t) ubuf(*p++).i;
-  take(memory.image.data());
   for (int n = 0; n < count; n++) {
     memory.anchors[n].piece = (int) ubuf(*p++).i;
     take(memory.anchors[n].point.data());
@@ -400,7 +399,7 @@ void FixTMSPHWall::unpack_restart(int nlocal, int nth)
 int FixTMSPHWall::size_restart(int i)
 {
   const auto found = memories.find(atom->tag[i]);
-  return found == memories.end() ? 2 : 1 + 9 + 4 * found->second.count;
+  return found == memories.end() ? 2 : 1 + 6 + 4 * found->second.count;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -472,6 +471,6 @@ int FixTMSPHWall::image(int *&kinds, double **&values)
 
 double FixTMSPHWall::memory_usage()
 {
-  return candidates.capacity() * sizeof(int) + touching.capacity() * sizeof(Touching) +
+  return candidates.capacity() * sizeof(Candidate) + touching.capacity() * sizeof(Touching) +
       memories.size() * (sizeof(Memory) + sizeof(tagint));
 }

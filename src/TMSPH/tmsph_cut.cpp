@@ -34,7 +34,7 @@ void TMSPHCut::command(int narg, char **arg)
   if (igroup < 0)
     error->all(FLERR, "Group {} of tmsph/cut does not exist: define it first", arg[0]);
   const int groupbit = group->bitmask[igroup];
-  const Flaw crosses = read_flaw(narg - 1, arg + 1);
+  const Flaw flaw = read_flaw(narg - 1, arg + 1);
 
   auto pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
   if (!pair)
@@ -42,15 +42,6 @@ void TMSPHCut::command(int narg, char **arg)
   prepare_bonds();
   FixTMSPHBond *bonds = pair->bonds();
 
-  // a bond across a periodic boundary is tried at both of its ends, by both ends alike
-
-  const auto in_box = [&](const double *x0, double *x) {
-    for (int k = 0; k < 3; k++) {
-      x[k] = x0[k];
-      if (domain->periodicity[k])
-        x[k] -= domain->prd[k] * std::floor((x0[k] - domain->boxlo[k]) / domain->prd[k]);
-    }
-  };
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -58,20 +49,14 @@ void TMSPHCut::command(int narg, char **arg)
       if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
       const int j = bonds->partner_index(i, k);
       if (!(atom->mask[j] & groupbit)) continue;
-      const bool upward = atom->tag[i] < atom->tag[j];
+      const bool upward = atom->tag[i] < atom->tag[j];    // both ends decide alike
       const int low = upward ? i : j, high = upward ? j : i;
-      double X[3], a[3], b[3], from_low[3], from_high[3];
+      double X[3], a[3];
       bonds->reference_vector(low, high, X);
-      in_box(atom->x0[low], a);
-      in_box(atom->x0[high], b);
-      for (int c = 0; c < 3; c++) {
-        from_low[c] = a[c] + X[c];
-        from_high[c] = b[c] - X[c];
-      }
-      if (crosses(a, from_low) || crosses(from_high, b)) {
-        bonds->remove_bond(i, k, FixTMSPHBond::CUT);
-        mine++;
-      }
+      bonds->reference_in_box(low, a);
+      if (!cuts(flaw, *bonds, a, X)) continue;
+      bonds->remove_bond(i, k, FixTMSPHBond::CUT);
+      mine++;
     }
   }
   bonds->changed();
@@ -81,6 +66,42 @@ void TMSPHCut::command(int narg, char **arg)
     if (all == 0) error->warning(FLERR, "The flaw of tmsph/cut crosses no intact bond of group {}",
                                  arg[0]);
   }
+}
+
+/* ----------------------------------------------------------------------
+   A flaw is there once in each period. One that is longer, through the whole body, is there as it
+   is given; a bond across the boundary is then tried at both of its ends.
+   @param a end of the bond in the box
+   @param X vector to its other end
+------------------------------------------------------------------------- */
+
+bool TMSPHCut::cuts(const Flaw &flaw, const FixTMSPHBond &bonds, const double *a,
+                    const double *X) const
+{
+  int first[3], last[3];
+  for (int k = 0; k < 3; k++) {
+    const double b = a[k] + X[k], period = bonds.reference_period(k);
+    first[k] = last[k] = 0;
+    if (period == 0.0) continue;
+    if (flaw.bounds.repeats(k, period)) {
+      if (!flaw.bounds.images(k, period, a[k], b, first[k], last[k])) return false;
+    } else if (b < bonds.reference_corner(k))
+      first[k] = -1;
+    else if (b >= bonds.reference_corner(k) + period)
+      last[k] = 1;
+  }
+  for (int nx = first[0]; nx <= last[0]; nx++)
+    for (int ny = first[1]; ny <= last[1]; ny++)
+      for (int nz = first[2]; nz <= last[2]; nz++) {
+        const int n[3] = {nx, ny, nz};
+        double from[3], to[3];
+        for (int k = 0; k < 3; k++) {
+          from[k] = a[k] - n[k] * bonds.reference_period(k);
+          to[k] = from[k] + X[k];
+        }
+        if (flaw.crosses(from, to)) return true;
+      }
+  return false;
 }
 
 /* ----------------------------------------------------------------------
@@ -133,12 +154,17 @@ TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
   std::vector<double> v;
   for (int k = 0; k < numbers; k++) v.push_back(utils::numeric(FLERR, arg[1 + k], false, lmp));
 
+  Flaw flaw;
+  if (domain->dimension == 2) flaw.bounds.low[2] = flaw.bounds.high[2] = 0.0;
   if (shape == "line") {
     const Point2 p(v[0], v[1]), q(v[2], v[3]);
     if (p == q) error->all(FLERR, "The line of tmsph/cut has no length: give two different points");
-    return [p, q](const double *a, const double *b) {
+    flaw.bounds.add(p, 2);
+    flaw.bounds.add(q, 2);
+    flaw.crosses = [p, q](const double *a, const double *b) {
       return TMSPH::crosses_segment(Point2(a), Point2(b), p, q);
     };
+    return flaw;
   }
   if (shape == "arc") {
     const double radian = std::acos(-1.0) / 180.0;
@@ -150,9 +176,11 @@ TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
                  "The arc of tmsph/cut runs counterclockwise from {} to {} degrees: the second "
                  "must be larger, by 360 at most",
                  arg[4], arg[5]);
-    return [=](const double *a, const double *b) {
+    flaw.bounds.add_arc(center, radius, start, sweep);
+    flaw.crosses = [=](const double *a, const double *b) {
       return TMSPH::crosses_arc(Point2(a), Point2(b), center, radius, start, sweep);
     };
+    return flaw;
   }
   if (shape == "disc") {
     const Point3 center(v[0], v[1], v[2]), normal(v[3], v[4], v[5]);
@@ -160,9 +188,14 @@ TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
     if (normal.norm() == 0.0) error->all(FLERR, "The normal of the tmsph/cut disc is zero");
     if (radius <= 0.0)
       error->all(FLERR, "Radius {} of the tmsph/cut disc must be positive", arg[7]);
-    return [=](const double *a, const double *b) {
+    const Point3 unit = normal.normalized();
+    const Point3 half = radius * (1.0 - unit.array().square()).max(0.0).sqrt().matrix();
+    flaw.bounds.add(Point3(center - half));
+    flaw.bounds.add(Point3(center + half));
+    flaw.crosses = [=](const double *a, const double *b) {
       return TMSPH::crosses_disc(Point3(a), Point3(b), center, normal, radius);
     };
+    return flaw;
   }
   std::vector<Point3> corner;
   for (size_t k = 1; k < v.size(); k += 3) corner.emplace_back(v[k], v[k + 1], v[k + 2]);
@@ -171,7 +204,9 @@ TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
   for (const Point3 &p : corner)
     if (std::fabs(area.dot(p - corner[0])) > 1.0e-6 * std::pow(area.norm(), 1.5))
       error->all(FLERR, "The polygon of tmsph/cut is not flat: split it into triangles");
-  return [corner](const double *a, const double *b) {
+  for (const Point3 &p : corner) flaw.bounds.add(p);
+  flaw.crosses = [corner](const double *a, const double *b) {
     return TMSPH::crosses_polygon(Point3(a), Point3(b), corner);
   };
+  return flaw;
 }

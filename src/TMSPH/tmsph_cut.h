@@ -14,6 +14,7 @@ CommandStyle(tmsph/cut,TMSPHCut);
 #define LMP_TMSPH_CUT_H
 
 #include "command.h"
+#include "tmsph_bounds.h"
 
 #include <functional>
 
@@ -25,9 +26,13 @@ class TMSPHCut : public Command {
   void command(int, char **) override;
 
  private:
-  /// does the bond between two reference points cross the flaw?
-  using Flaw = std::function<bool(const double *, const double *)>;
+  struct Flaw {
+    /// does the bond between two reference points cross it?
+    std::function<bool(const double *, const double *)> crosses;
+    TMSPH::Bounds bounds;
+  };
   Flaw read_flaw(int, char **);
+  bool cuts(const Flaw &, const class FixTMSPHBond &, const double *a, const double *X) const;
   void prepare_bonds();
 };
 

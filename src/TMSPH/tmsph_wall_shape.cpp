@@ -59,7 +59,7 @@ WallTouch touch_corner(const Point &from_corner, const Point &straight, int piec
 /* ---------------------------------------------------------------------- */
 
 WallPolyline::WallPolyline(const std::vector<Point> &points) :
-    closed(points.front() == points.back())
+    closed(points.front() == points.back()), period{0.0, 0.0, 0.0}, copies(0)
 {
   for (size_t k = 0; k + 1 < points.size(); k++) {
     const Point d = minus(points[k + 1], points[k]);
@@ -71,14 +71,63 @@ WallPolyline::WallPolyline(const std::vector<Point> &points) :
 
 /* ---------------------------------------------------------------------- */
 
+Bounds WallPolyline::bounds() const
+{
+  Bounds box;
+  for (const Point &corner : picture({}, 0.0)) box.add(corner);
+  return box;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool WallPolyline::goes_on(int axis, double length)
+{
+  if (axis > 1) return false;
+  if (period[axis] != 0.0) {
+    period[axis] = 0.0;
+    copies = 0;
+  }
+  if (!(length > 0.0)) return false;
+  const std::vector<Point> corners = picture({}, 0.0);
+  const Point way = minus(corners.back(), corners.front());
+  const double along = std::fabs(way[axis]), across = std::fabs(way[1 - axis]);
+  const double small = Bounds::ROUND * length;
+  const bool straight = segments.size() == 1 && along >= length - small;
+  if (across > small || !(straight || std::fabs(along - length) <= small)) return false;
+  period[axis] = std::copysign(length, way[axis]);
+  copies = 1;
+  return true;
+}
+
+/* ----------------------------------------------------------------------
+   the copy of a point that is beside the segments in the middle
+------------------------------------------------------------------------- */
+
+Point WallPolyline::beside(const Point &x) const
+{
+  if (copies == 0) return x;
+  const double turns = dot(minus(x, segments[0].start), period) / dot(period, period);
+  return minus(x, scaled(std::floor(turns), period));
+}
+
+/* ---------------------------------------------------------------------- */
+
+WallPolyline::Segment WallPolyline::at(int k) const
+{
+  const int n = segments.size();
+  Segment s = segments[k % n];
+  for (int a = 0; a < 2; a++) s.start[a] += (k / n - copies) * period[a];
+  return s;
+}
+
 int WallPolyline::before(int k) const
 {
-  return k > 0 ? k - 1 : closed ? (int) segments.size() - 1 : -1;
+  return k > 0 ? k - 1 : closed ? count() - 1 : -1;
 }
 
 int WallPolyline::after(int k) const
 {
-  return k + 1 < (int) segments.size() ? k + 1 : closed ? 0 : -1;
+  return k + 1 < count() ? k + 1 : closed ? 0 : -1;
 }
 
 /* ----------------------------------------------------------------------
@@ -87,10 +136,10 @@ int WallPolyline::after(int k) const
 
 bool WallPolyline::concave(int k, int l, int side) const
 {
-  const int n = segments.size();
+  const int n = count();
   if (k >= n || l >= n) return false;    // corners
-  if (after(k) == l && side * cross(segments[k].along, segments[l].along) > STRAIGHT) return true;
-  return after(l) == k && side * cross(segments[l].along, segments[k].along) > STRAIGHT;
+  if (after(k) == l && side * cross(at(k).along, at(l).along) > STRAIGHT) return true;
+  return after(l) == k && side * cross(at(l).along, at(k).along) > STRAIGHT;
 }
 
 /* ----------------------------------------------------------------------
@@ -99,13 +148,14 @@ bool WallPolyline::concave(int k, int l, int side) const
    point has been pressed, or if there is nothing else.
 ------------------------------------------------------------------------- */
 
-int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *found) const
+int WallPolyline::touches(const Point &point, double reach, int side, WallTouch *found) const
 {
   std::vector<WallTouch> hits;
   const double same = EQUALLY_FAR * reach;
-  const int n = segments.size();
+  const int n = count();
+  const Point x = beside(point);
   for (int k = 0; k < n; k++) {
-    const Segment &s = segments[k];
+    const Segment s = at(k);
     const Point d = minus(x, s.start);
     const double along = dot(d, s.along);
     const Point normal = scaled(side, left_of(s.along));
@@ -127,7 +177,7 @@ int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *fou
       if (previous < 0) {
         if (gap >= 0.0) hits.push_back(touch_corner(d, normal, n + k));
       } else {
-        const Segment &p = segments[previous];
+        const Segment p = at(previous);
         if (dot(minus(x, p.start), p.along) > p.length)
           hits.push_back(touch_corner(d, normal, n + k));
       }
@@ -163,23 +213,29 @@ int WallPolyline::touches(const Point &x, double reach, int side, WallTouch *fou
     return dot(h.normal, found[0].normal) <= parallel &&
         ((in_front(h) && in_front(found[0])) || concave(h.piece, found[0].piece, side));
   }, 1.0);
+  const int places = second ? 2 : 1;
   if (second) found[1] = *second;
-  return second ? 2 : 1;
+  for (int p = 0; p < places && copies; p++)
+    found[p].piece = found[p].piece % (int) segments.size() +
+        (found[p].piece < n ? 0 : (int) segments.size());
+  return places;
 }
 
 /* ---------------------------------------------------------------------- */
 
-int WallPolyline::nearest(const Point &x, double &square) const
+int WallPolyline::nearest(const Point &point, Point &from_start, double &square) const
 {
   int which = 0;
   square = HUGE_VAL;
-  for (size_t k = 0; k < segments.size(); k++) {
-    const Segment &s = segments[k];
-    Point d = minus(x, s.start);
-    const double along = std::min(s.length, std::max(0.0, dot(d, s.along)));
-    d = minus(d, scaled(along, s.along));
+  const Point x = beside(point);
+  for (int k = 0; k < count(); k++) {
+    const Segment s = at(k);
+    const Point from = minus(x, s.start);
+    const double along = std::min(s.length, std::max(0.0, dot(from, s.along)));
+    const Point d = minus(from, scaled(along, s.along));
     if (dot(d, d) >= square) continue;
     square = dot(d, d);
+    from_start = from;
     which = k;
   }
   return which;
@@ -189,17 +245,19 @@ int WallPolyline::nearest(const Point &x, double &square) const
 
 int WallPolyline::side_of(const Point &x) const
 {
+  Point from_start;
   double square;
-  const Segment &s = segments[nearest(x, square)];
-  return cross(s.along, minus(x, s.start)) >= 0.0 ? 1 : -1;
+  const Segment s = at(nearest(x, from_start, square));
+  return cross(s.along, from_start) >= 0.0 ? 1 : -1;
 }
 
 /* ---------------------------------------------------------------------- */
 
 double WallPolyline::distance(const Point &x) const
 {
+  Point from_start;
   double square;
-  nearest(x, square);
+  nearest(x, from_start, square);
   return std::sqrt(square);
 }
 
@@ -289,6 +347,23 @@ double WallArc::distance(const Point &x) const
 
 /* ---------------------------------------------------------------------- */
 
+Bounds WallArc::bounds() const
+{
+  Bounds box;
+  box.low[2] = box.high[2] = 0.0;
+  box.add_arc(centre, radius, start, sweep);
+  return box;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool WallArc::goes_on(int /*axis*/, double /*period*/)
+{
+  return false;
+}
+
+/* ---------------------------------------------------------------------- */
+
 std::vector<Point> WallArc::picture(const Point & /*middle*/, double /*size*/) const
 {
   const int pieces = 1 + (int) (std::fabs(sweep) / (0.01 * PI));
@@ -335,6 +410,27 @@ int WallPlane::side_of(const Point &x) const
 double WallPlane::distance(const Point &x) const
 {
   return std::fabs(height(x));
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool WallPlane::goes_on(int axis, double /*period*/)
+{
+  return std::fabs(normal[axis]) < Bounds::ROUND;
+}
+
+/* ---------------------------------------------------------------------- */
+
+Bounds WallPlane::bounds() const
+{
+  Bounds box;
+  for (int k = 0; k < 3; k++) {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    const bool across = std::max(std::fabs(normal[l]), std::fabs(normal[m])) < Bounds::ROUND;
+    box.low[k] = across ? point[k] : -HUGE_VAL;
+    box.high[k] = across ? point[k] : HUGE_VAL;
+  }
+  return box;
 }
 
 /* ---------------------------------------------------------------------- */

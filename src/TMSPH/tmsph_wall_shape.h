@@ -8,6 +8,8 @@
 #ifndef LMP_TMSPH_WALL_SHAPE_H
 #define LMP_TMSPH_WALL_SHAPE_H
 
+#include "tmsph_bounds.h"
+
 #include <array>
 #include <vector>
 
@@ -20,6 +22,13 @@ struct WallTouch {
   double gap;      ///< distance from the surface along the normal; negative behind it
   int piece;       ///< which segment or corner
 };
+
+/// of two places: in front goes before behind, and of two behind the less deep one
+inline bool nearer(const WallTouch &a, const WallTouch &b)
+{
+  if ((a.gap >= 0.0) != (b.gap >= 0.0)) return a.gap >= 0.0;
+  return a.gap >= 0.0 ? a.gap < b.gap : a.gap > b.gap;
+}
 
 class WallShape {
  public:
@@ -34,12 +43,19 @@ class WallShape {
   virtual int side_of(const Point &x) const = 0;
   /// distance from the surface, without sign; a lower bound will do
   virtual double distance(const Point &x) const = 0;
+  /// the box around it, endless where it has no end
+  virtual Bounds bounds() const = 0;
+  /** Goes on without end along an axis whose period it spans; with period 0 no longer.
+      @return true if it is everywhere the same after a period */
+  virtual bool goes_on(int axis, double period) = 0;
   /** Corners to draw it: of a line in 2-D, of a quadrangle in 3-D.
       @param middle,size what is to be seen of a shape without end */
   virtual std::vector<Point> picture(const Point &middle, double size) const = 0;
 };
 
-/** Straight segments end to end; closed if the last point is the first. At a convex corner the
+/** Straight segments end to end; closed if the last point is the first. They go on without end if
+    they are one that is straight along an axis and at least a period long, or end one period from
+    where they start. At a convex corner the
     nearest point is the corner itself, so the normal turns steadily. In a concave corner of more
     than CONCAVE degrees a point touches both segments, in a flatter one the nearer. */
 class WallPolyline : public WallShape {
@@ -49,6 +65,8 @@ class WallPolyline : public WallShape {
   int touches(const Point &x, double reach, int side, WallTouch *found) const override;
   int side_of(const Point &x) const override;
   double distance(const Point &x) const override;
+  Bounds bounds() const override;
+  bool goes_on(int axis, double period) override;
   std::vector<Point> picture(const Point &middle, double size) const override;
 
  private:
@@ -58,11 +76,16 @@ class WallPolyline : public WallShape {
   };
   std::vector<Segment> segments;
   bool closed;
+  Point period;    // from one copy to the next, where it has no end
+  int copies;      // of the segments, on either side, that go on from them: 0 or 1
 
+  int count() const { return (1 + 2 * copies) * (int) segments.size(); }
+  Segment at(int k) const;    // of all copies, in their order
+  Point beside(const Point &x) const;
   int before(int k) const;    // the segment that ends where k starts, or -1
   int after(int k) const;
   bool concave(int k, int l, int side) const;
-  int nearest(const Point &x, double &square) const;
+  int nearest(const Point &x, Point &from_start, double &square) const;
 };
 
 /** A part of a circle. */
@@ -74,6 +97,8 @@ class WallArc : public WallShape {
   int touches(const Point &x, double reach, int side, WallTouch *found) const override;
   int side_of(const Point &x) const override;
   double distance(const Point &x) const override;
+  Bounds bounds() const override;
+  bool goes_on(int axis, double period) override;
   std::vector<Point> picture(const Point &middle, double size) const override;
 
  private:
@@ -90,6 +115,8 @@ class WallPlane : public WallShape {
   int touches(const Point &x, double reach, int side, WallTouch *found) const override;
   int side_of(const Point &x) const override;
   double distance(const Point &x) const override;
+  Bounds bounds() const override;
+  bool goes_on(int axis, double period) override;
   std::vector<Point> picture(const Point &middle, double size) const override;
 
  private:

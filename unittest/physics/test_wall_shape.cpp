@@ -188,6 +188,78 @@ TEST(WallShape, ArcsInsideOutsideAndEnds)
     EXPECT_EQ(ring.touches({0.9 * std::cos(k), 0.9 * std::sin(k), 0}, 0.2, 1, found), 1);
 }
 
+/// walls that span a period are like long rows of copies of them, wherever the point is
+TEST(WallShape, GoesOnWithoutEndOverPeriods)
+{
+  std::mt19937_64 engine(10);
+  std::uniform_real_distribution<double> random(-1.0, 1.0);
+  const std::vector<std::vector<Point>> profiles = {
+      {{-0.4, 0, 0}, {1.1, 0, 0}},
+      {{0, 0, 0}, {0.5, -0.3, 0}, {1, 0, 0}},
+      {{0.2, 0.1, 0}, {0.6, 0.5, 0}, {1.2, 0.1, 0}},
+      {{1, 0, 0}, {0.7, 0.2, 0}, {0.7, -0.1, 0}, {0, 0, 0}}};
+  for (const auto &profile : profiles) {
+    const double way = profile.back()[0] > profile.front()[0] ? 1.0 : -1.0;
+    std::vector<Point> row;
+    for (int copy = -4; copy <= 4; copy++)
+      for (Point p : profile) {
+        p[0] += way * copy;
+        if (row.empty() || distance(row.back(), p) > 1e-9) row.push_back(p);
+      }
+    if (profile.size() == 2) row = {{-5, 0, 0}, {5, 0, 0}};
+    const WallPolyline many(row);
+    WallPolyline one(profile);
+    EXPECT_FALSE(one.goes_on(1, 1.0));
+    ASSERT_TRUE(one.goes_on(0, 1.0));
+    int touching = 0;
+    for (int n = 0; n < 4000; n++) {
+      const Point x = {0.6 * random(engine), 0.7 * random(engine), 0.0};
+      const Point there = {x[0] + std::round(50.0 * random(engine)), x[1], 0.0};
+      WallTouch expected[2], found[2];
+      const int side = n % 2 ? 1 : -1, count = many.touches(x, 0.15, side, expected);
+      ASSERT_EQ(one.touches(there, 0.15, side, found), count) << x[0] << ' ' << x[1];
+      for (int k = 0; k < count; k++) {
+        EXPECT_NEAR(found[k].gap, expected[k].gap, 1e-12) << x[0] << ' ' << x[1];
+        EXPECT_LT(distance(found[k].normal, expected[k].normal), 1e-11) << x[0] << ' ' << x[1];
+      }
+      EXPECT_NEAR(one.distance(there), many.distance(x), 1e-12);
+      if (count == 1 && expected[0].piece < (int) row.size() - 1) {    // not of corners
+        EXPECT_EQ(one.side_of(there), many.side_of(x));
+      }
+      touching += count;
+    }
+    EXPECT_GT(touching, 500);
+    one.goes_on(0, 0.0);    // as it was
+    WallTouch found[2];
+    EXPECT_EQ(one.touches({5.5, 0.05, 0}, 0.1, 1, found), 0);
+  }
+  EXPECT_FALSE(WallPolyline({{0, 0, 0}, {0.9, 0, 0}}).goes_on(0, 1.0));       // too short
+  EXPECT_FALSE(WallPolyline({{0, 0, 0}, {1.0, 0.1, 0}}).goes_on(0, 1.0));     // a step
+  EXPECT_TRUE(WallPlane({0, 0, 0}, {0, 0, 1}).goes_on(0, 1.0));
+  EXPECT_FALSE(WallPlane({0, 0, 0}, {0, 0, 1}).goes_on(2, 1.0));
+}
+
+TEST(WallShape, Bounds)
+{
+  const Bounds bowl = WallArc({1, 2, 0}, 0.5, -0.75 * PI, 0.25 * PI).bounds();
+  const double c = 0.5 * std::sqrt(0.5);
+  EXPECT_NEAR(bowl.low[0], 1 - c, 1e-15);
+  EXPECT_NEAR(bowl.high[0], 1.5, 1e-15);
+  EXPECT_NEAR(bowl.low[1], 1.5, 1e-15);
+  EXPECT_NEAR(bowl.high[1], 2 + c, 1e-15);
+  const Bounds ring = WallArc({0, 0, 0}, 1.0, 0, -9 * PI).bounds();
+  for (int k = 0; k < 2; k++) EXPECT_NEAR(ring.length(k), 2.0, 1e-15);
+  const Bounds plane = WallPlane({1, 2, 3}, {0, 1, 0}).bounds();
+  EXPECT_TRUE(plane.repeats(1, 1.0));
+  EXPECT_FALSE(plane.repeats(0, 1.0));
+  EXPECT_FALSE(WallPlane({1, 2, 3}, {0, 0.6, 0.8}).bounds().repeats(1, 1.0));
+  int first, last;
+  ASSERT_TRUE(bowl.images(0, 3.0, 7.2, 7.4, first, last));
+  EXPECT_EQ(first, 2);
+  EXPECT_EQ(last, 2);
+  EXPECT_FALSE(bowl.images(0, 3.0, 8.6, 9.6, first, last));
+}
+
 TEST(WallShape, MotionThereAndBack)
 {
   RigidMotion m;
