@@ -378,10 +378,10 @@ void TMSPHQuasistatic::find_equilibrium(double rms)
   count.equilibria++;
   life.equilibria++;
   if (solver->equilibrate(rms * unit, evaluations, [this]() { show_life(); })) return;
+  const double left = solver->force_norm() / unit;    // of all processors
   if (count.failures++ == 0 && comm->me == 0)
     error->warning(FLERR, "Equilibrium on step {} was not found in {} force evaluations; the "
-                          "residual is {:.3g}", update->ntimestep, evaluations,
-                   solver->force_norm() / unit);
+                          "residual is {:.3g}", update->ntimestep, evaluations, left);
 }
 
 /* ----------------------------------------------------------------------
