@@ -242,8 +242,11 @@ def compare(report, name, run, middle, order=slice(None)):
         scale = np.abs(his[column]).max()
         if scale > 0:
             worst[column] = np.abs(mine[column][order] - his[column]).max() / scale
-    for column in set(run.tables[-1]) - {"Step"}:
-        scale = abs(middle.thermo(column)[-1])
+    table = middle.tables[-1]
+    for column in set(table) - {"Step"}:
+        # a component of a force by the size of the force, or of what it is a sum of
+        alike = [column] + [f"{column[:-3]}[{k}]" for k in (1, 2, 3, 10) if column[-3:] in ("[1]", "[2]", "[3]")]
+        scale = max(abs(table[c][-1]) for c in alike if c in table)
         if scale > 0:
             worst[column] = abs(run.thermo(column)[-1] - middle.thermo(column)[-1]) / scale
     column = max(worst, key=worst.get)
