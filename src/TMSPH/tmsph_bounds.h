@@ -15,6 +15,7 @@ namespace TMSPH {
 
 struct Bounds {
   static constexpr double ROUND = 1.0e-9;    // lengths that differ by less are equal
+  static constexpr double NEAR = 1.0e-8;     // of a period: what round-off leaves on a shape, amply
   double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
   double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
@@ -51,12 +52,13 @@ struct Bounds {
     return period > 0.0 && length(k) <= (1.0 + ROUND) * period;
   }
 
-  /** By how many periods the shape may be shifted to reach to the places between a and b.
+  /** By how many periods the shape may be shifted to reach to the places between a and b, or next
+      to them.
       @return false if by none */
   bool images(int k, double period, double a, double b, int &first, int &last) const
   {
-    first = (int) std::ceil((std::min(a, b) - high[k]) / period);
-    last = (int) std::floor((std::max(a, b) - low[k]) / period);
+    first = (int) std::ceil((std::min(a, b) - high[k]) / period - NEAR);
+    last = (int) std::floor((std::max(a, b) - low[k]) / period + NEAR);
     return first <= last;
   }
 };

@@ -258,6 +258,11 @@ TEST(WallShape, Bounds)
   EXPECT_EQ(first, 2);
   EXPECT_EQ(last, 2);
   EXPECT_FALSE(bowl.images(0, 3.0, 8.6, 9.6, first, last));
+  // a place on the shape but for round-off
+  const double near = plane.low[1] - 1e-15;
+  ASSERT_TRUE(plane.images(1, 5.0, near - 0.1, near, first, last));
+  EXPECT_EQ(first, 0);
+  EXPECT_EQ(last, 0);
 }
 
 TEST(WallShape, MotionThereAndBack)

@@ -2,7 +2,8 @@
 """Periodic boundaries and processors: homogeneous deformation of the box gives
 its F exactly, a periodic cell is loaded like the middle one of three copies in
 a row and like its double, momentum is conserved through the boundary, and
-forces, motion and bonds are the same to the last bit on 1, 2 and 4 processors."""
+forces, motion and bonds are the same to the last bit on 1, 2 and 4 processors. A
+flaw along a row of particles cuts the bonds that it cuts without the boundary."""
 
 from math import fsum
 
@@ -130,8 +131,25 @@ def forces_on(cell, ranks):
     return scene.snapshot("d", "fx fy fz").run(ranks).frame("d")("fx fy fz")
 
 
+def flaw_on_a_row(report, name):
+    """Away from the boundary, on particles but for round-off."""
+    lattice_name, d = CELLS[name][0], int(name[0])
+    cut = []
+    for periodic in ("xyz"[:d], ""):
+        cloud = lattice(lattice_name, (12,) * d, SPACING, periodic).jitter(1e-12, 23)
+        corners = [(3.5, 3.5), (3.5, 8.5)] if d == 2 else \
+            [(3.5, 3.5, 3.5), (3.5, 8.5, 3.5), (3.5, 8.5, 8.5), (3.5, 3.5, 8.5)]
+        place = " ".join(f"{x * SPACING:.17g}" for corner in corners for x in corner)
+        scene = Scene(cloud, MATERIALS[:1]).add("compute p all tmsph/property/atom ncut")
+        scene.add(f"tmsph/cut all {'line' if d == 2 else 'polygon 4'} {place}\nrun 0")
+        cut.append(scene.snapshot("d", "c_p").run().frame("d")("c_p"))
+    report.above(f"{name}: ends of bonds that a flaw on a row cuts", cut[1].sum(), 0)
+    report.true(f"{name}: in a periodic box the same", np.array_equal(*cut), "all of them")
+
+
 report = Report()
 for name in CELLS:
+    flaw_on_a_row(report, name)
     repetition(report, name)
     homogeneous(report, name)
     processors(report, name)
