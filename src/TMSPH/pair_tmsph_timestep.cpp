@@ -84,10 +84,12 @@ template <int D> double PairTMSPH::stable_timestep_in()
     bond_forces<D>(linear, f.data(), D);
   };
 
-  // random multiples of the bonds, which turn along with the body
+  // random multiples of the bonds, which turn along with the body; partners of broken ones may be
+  // out of reach, on how many processors decides
 
   for (int i = 0; i < nlocal; i++)
     for (int n = 0; n < bond_fix->count(i); n++) {
+      if (bond_fix->bond_state(i, n) != FixTMSPHBond::INTACT) continue;
       double X[3];
       bond_fix->reference_vector(i, bond_fix->partner_index(i, n), X);
       const double part = uniform_random(atom->tag[i], 7919, bond_fix->partner_tag(i, n)) - 0.5;
