@@ -45,10 +45,11 @@ void FixTMSPHWall::find_periods()
     const bool endless = shape->goes_on(k, turns ? 0.0 : length);
     repeats[k] = !endless && bounds.repeats(k, length);
     if (endless || repeats[k] || length == 0.0 || warned || comm->me) continue;
-    error->warning(FLERR, "Wall {} is longer than the periodic box in {} and is there only as it is "
-                          "given: particles that cross this boundary come to another part of it; "
-                          "make the boundary non-periodic, or let the wall end one period from "
-                          "where it starts", id, "xyz"[k]);
+    error->warning(FLERR,
+                   "Wall {} is longer than the periodic box in {} and is there only as it is given: "
+                   "particles that cross this boundary come to another part of it; make the "
+                   "boundary non-periodic, or let the wall end one period from where it starts",
+                   id, "xyz"[k]);
   }
   warned = true;
 }
