@@ -153,7 +153,7 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   void check_place() const;
   double depth_in_body(bigint &bonds_cut) const;
   bool cuts(Point from, Point to) const;
-  bigint in_front() const;
+  bool all_behind() const;
   std::vector<Point> corners() const;
 };
 

@@ -33,7 +33,7 @@ void FixTMSPHWall::check_place() const
                                 id, depth, cut, edge));
     return;
   }
-  if (!both_sides && in_front() == 0) {
+  if (!both_sides && all_behind()) {
     pair->warn_once(fmt::format("Wall {} has all particles behind it: {}, or use 'side both'", id,
                                 domain->dimension == 2
                                     ? "what it holds belongs to its left, so swap its ends"
@@ -109,11 +109,11 @@ bool FixTMSPHWall::cuts(Point from, Point to) const
 
 /* ---------------------------------------------------------------------- */
 
-bigint FixTMSPHWall::in_front() const
+bool FixTMSPHWall::all_behind() const
 {
-  bigint mine = 0, all;
+  bigint mine[2] = {}, all[2];    // behind, in front
   for (int i = 0; i < atom->nlocal; i++)
-    mine += (atom->mask[i] & groupbit) && shape->side_of(motion.to_body(position_of(i))) > 0;
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return all;
+    if (atom->mask[i] & groupbit) mine[shape->side_of(motion.to_body(position_of(i))) > 0]++;
+  MPI_Allreduce(mine, all, 2, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all[0] > 0 && all[1] == 0;
 }

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
@@ -80,12 +81,14 @@ std::string PairTMSPH::doubtful_material() const
 }
 
 /* ----------------------------------------------------------------------
-   before neighbor lists are made with it: a horizon that was given in spacings
+   Before neighbor lists are made with it: a horizon that was given in spacings. Those are estimated
+   from the sizes of the body; of a plate or a row the small ones, or round-off, do not count.
 ------------------------------------------------------------------------- */
 
 void PairTMSPH::check_reach() const
 {
   const int D = domain->dimension;
+  if (!atom->natoms) return;
   std::array<double, 6> mine, all;    // largest coordinates, and minus the smallest
   mine.fill(-HUGE_VAL);
   for (int i = 0; i < atom->nlocal; i++)
@@ -94,10 +97,14 @@ void PairTMSPH::check_reach() const
       mine[3 + k] = std::max(mine[3 + k], -atom->x[i][k]);
     }
   MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_MAX, world);
-  double volume = 1.0;
-  for (int k = 0; k < D; k++) volume *= all[k] + all[3 + k];
-  const double spacing = std::pow(volume / std::max<bigint>(atom->natoms, 1), 1.0 / D);
-  if (std::isfinite(spacing) && spacing > 0.0 && cutoff > ABSURD_HORIZON * spacing)
+  double sizes[3], part = 1.0 / atom->natoms, spacing = 0.0;
+  for (int k = 0; k < D; k++) sizes[k] = all[k] + all[3 + k];
+  std::sort(sizes, sizes + D, std::greater<double>());
+  for (int k = 0; k < D; k++) {
+    part *= sizes[k];
+    spacing = std::max(spacing, std::pow(part, 1.0 / (1 + k)));
+  }
+  if (spacing > 0.0 && cutoff > ABSURD_HORIZON * spacing)
     error->all(FLERR,
                "The horizon {} of pair_style tmsph is {:.3g} particle spacings: give it as a "
                "length, {} spacings are {:.3g}",
