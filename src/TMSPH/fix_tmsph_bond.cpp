@@ -147,6 +147,7 @@ void FixTMSPHBond::setup(int /*vflag*/)
 void FixTMSPHBond::min_setup(int /*vflag*/)
 {
   user->run_begins();
+  memory->destroy(lag);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -339,7 +339,9 @@ void FixTMSPHHeat::tell()
         conduction, wave, time_scale * conduction / (WAVE_PASSAGES * wave)));
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   The sums are then with process 0, as in a run that goes on from the file: the same round-off.
+------------------------------------------------------------------------- */
 
 void FixTMSPHHeat::write_restart(FILE *fp)
 {
@@ -347,10 +349,12 @@ void FixTMSPHHeat::write_restart(FILE *fp)
   MPI_Allreduce(&former_energy, &former, 1, MPI_DOUBLE, MPI_SUM, world);
   std::vector<double> list = {RESTART_FORMAT, covered, (double) applications, fastest,
                               (double) comfortable, stable, former, (double) accounts.size()};
-  for (const Account &a : accounts) {
+  former_energy = comm->me == 0 ? former : 0.0;
+  for (Account &a : accounts) {
     double mine[2] = {a.power, a.energy}, all[2];
     MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
     list.insert(list.end(), all, all + 2);
+    a = comm->me == 0 ? Account{all[0], all[1]} : Account();
   }
   for (const Substance &s : substances)
     list.insert(list.end(), s.calibrated, s.calibrated + 9);
