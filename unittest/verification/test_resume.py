@@ -9,14 +9,16 @@ from tmsph_testing import Report
 
 DYNAMIC = ["-var", "dx", "4e-3", "-var", "rate", "0.1", "-var", "restart", "200"]
 QUASISTATIC = ["-var", "dx", "5e-3", "-var", "quasistatic", "yes", "-var", "restart", "1000"]
-FILES = ["dump.disc", "broken_bonds.txt", "events.txt"]
+TABLES = {"disc": "broken_bonds.txt", "quench": "cracks.txt", "borehole": "cracks.txt"}
 
 
-def disc(report, what, arguments, ranks, kills, life, seed, after=None):
+def killed(report, name, what, arguments, ranks, kills, life, seed, after=None):
+    table = TABLES[name]
     with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
-        plain = Example(one, "disc", "broken_bonds.txt", arguments, ranks)
-        broken = Example(two, "disc", "broken_bonds.txt", arguments, ranks)
-        interrupt(report, what, plain, broken, FILES, kills, life, seed)
+        plain = Example(one, name, table, arguments, ranks)
+        broken = Example(two, name, table, arguments, ranks)
+        interrupt(report, f"{name}, {what}", plain, broken, [f"dump.{name}", table, "events.txt"],
+                  kills, life, seed)
         if after:
             after(report, plain.place)
 
@@ -45,6 +47,6 @@ def torn(report, place):
 
 if __name__ == "__main__":
     report = Report()
-    disc(report, "dynamic, 1 rank", DYNAMIC, 1, 3, 30, 1, torn)
-    disc(report, "quasi-static, 2 ranks", QUASISTATIC, 2, 3, 60, 2)
+    killed(report, "disc", "dynamic, 1 rank", DYNAMIC, 1, 3, 30, 1, torn)
+    killed(report, "disc", "quasi-static, 2 ranks", QUASISTATIC, 2, 3, 60, 2)
     report.finish()
