@@ -43,8 +43,9 @@ int FixTMSPHHeat::setmask()
 void FixTMSPHHeat::post_constructor()
 {
   norms_id = std::string(id) + "_TMSPH_NORM";
+  const int D = domain->dimension, columns = LAYERS + D * (D == 2 ? LAYER<2> : LAYER<3>);
   norms = dynamic_cast<FixStoreAtom *>(
-      modify->add_fix(fmt::format("{} all STORE/ATOM {} 0 0 1", norms_id, (int) NSTORED)));
+      modify->add_fix(fmt::format("{} all STORE/ATOM {} 0 0 1", norms_id, columns)));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -15,6 +15,7 @@ FixStyle(tmsph/heat,FixTMSPHHeat);
 
 #include "fix.h"
 #include "tmsph_heat_clock.h"
+#include "tmsph_lattice_faces.h"
 #include "tmsph_own_surface.h"
 #include "tmsph_property_table.h"
 #include "tmsph_report.h"
@@ -32,12 +33,12 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
     double conductance, outside;   ///< power conductance (outside - T_i)
     double power;                  ///< and what does not depend on T_i
   };
-  /// a piece of the surface, the particle below it
+  /// a piece of the surface and the local particle below it, which may have several
   struct SurfaceShare {
+    int i;
     TMSPH::Surface surface;
-    double area = 0.0;             ///< 0: the particle is inside
-    double one_sidedness = 0.0;    ///< see there
-    bool outermost = false;
+    double area;
+    bool flat;                     ///< a face of a body on a lattice
   };
   /// mean power in the last advance and energy so far that a boundary or the sources brought
   struct Account {
@@ -66,7 +67,7 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
 
   /** The surface of the body as its reference bonds show it (collective).
       @param cracks bonds that are gone count as surface too
-      @return       one entry for each local particle */
+      @return       in the order of the particles */
   std::vector<SurfaceShare> surface(bool cracks);
   /// of the material of local particle i at its temperature, along a direction of unit length
   double conductivity(int i, const double *direction) const;
@@ -94,8 +95,10 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   };
   class PairTMSPH *pair;
   class FixTMSPHBond *bonds;
-  // columns of the store: c, depth below an interface or 0, see fix_tmsph_heat_evening.cpp
-  enum { NORM, DEPTH, MULTIPLIER, NSTORED = MULTIPLIER + 3 };
+  // columns of the store: c, depth below an interface or 0, see fix_tmsph_heat_evening.cpp, and D
+  // layers of flat faces, see fix_tmsph_heat_faces.cpp
+  enum { NORM, DEPTH, MULTIPLIER, LAYERS = MULTIPLIER + 3 };
+  template <int D> static constexpr int LAYER = D + 4;
   class FixStoreAtom *norms;       // they are frozen when the bonds formed
   std::string norms_id;
   std::vector<Substance> substances;    // by type
@@ -114,6 +117,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   std::vector<double> all_norms, all_depths;    // of local and ghost particles
   bool evened;                     // the body is irregular
   std::vector<double> multipliers[3];    // then, of local and ghost particles, by component
+  bool faced;                      // the body has flat faces
+  std::vector<std::vector<double>> layers;    // then, of local and ghost particles, by column
   std::vector<double> sums;        // sum_j G_ij of local particles, at the largest conductivity
   std::vector<double> shared;      // of local and ghost particles, one number each
   enum { TEMPERATURE, SHARED } what_to_send;
@@ -148,9 +153,26 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   void find_norms();
   void find_depths();
   std::vector<double> stored(int column) const;
-  template <int D> std::vector<SurfaceShare> classify(bool cracks);
-  std::vector<char> near_surface(const std::vector<SurfaceShare> &);
-  double interior_noise(const std::vector<SurfaceShare> &, const std::vector<char> &near) const;
+  /// what the bonds of a particle that it lacks would bring
+  struct Pull {
+    TMSPH::Surface surface;
+    double area = 0.0;             // 0: the particle is inside
+    double conducted[3] = {};      // the same with the conductances in force, times the normal
+    double one_sidedness = 0.0;    // see there
+    bool outermost = false;
+  };
+  template <int D> std::vector<Pull> pull_of_bonds(bool cracks);
+  std::vector<Pull> pulls(bool cracks);
+  void smooth(std::vector<Pull> &, double least);
+  std::vector<char> near_surface(const std::vector<Pull> &);
+  double interior_noise(const std::vector<Pull> &, const std::vector<char> &near) const;
+  template <int D> void find_layers(const std::vector<char> &near, std::vector<double> &second);
+  template <int D> void drop_steps(std::vector<double> &rough);
+  template <int D> TMSPH::Layer<D> layer(int i, int k) const;
+  template <int D> double boost(int i, const double *X) const;
+  template <int D> bool share_faces(int i, const Pull &, bool cracks, std::vector<SurfaceShare> &);
+  void share_layers();
+  double correction(int i, int j, const double *X) const;
   template <int D> void calibrate(int type, const std::vector<char> &near);
   template <int D> void even_out();
   double evening(int i, int j, const double *X) const;

@@ -31,6 +31,20 @@ using namespace FixConst;
 
 static constexpr double LEAST_DEPTH = 0.1;
 
+// of the surface of a region and a flat face that it stands for: cosine of the angle between them,
+// at least. It is 0 to the other faces of a corner
+
+static constexpr double SAME_SIDE = 0.5;
+
+// of the direction of 'facing' and the normal, 45 degrees
+
+static constexpr double FACING = 0.707106;
+
+static double cosine(const double *a, const double *b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 // columns of the store
 
 enum { AREA, DEPTH, NORMAL, NCOLUMNS = NORMAL + 3 };
@@ -39,8 +53,8 @@ enum { AREA, DEPTH, NORMAL, NCOLUMNS = NORMAL + 3 };
 
 FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), kind(TEMPERATURE), place(UNDECIDED), body(false), value(0.0),
-    coefficient(0.0), absolute_zero(0.0), variable_index(-1), given_area(0.0), cracks(false),
-    heat(nullptr), store(nullptr), found(false), removals(0)
+    coefficient(0.0), absolute_zero(0.0), variable_index(-1), given_area(0.0), one_sided(false),
+    cracks(false), heat(nullptr), store(nullptr), found(false), removals(0)
 {
   if (!atom->temperature_flag)
     error->all(FLERR, "Fix tmsph/heat/boundary needs an atom style with temperature: atom_style "
@@ -55,7 +69,7 @@ FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
 
 /* ----------------------------------------------------------------------
    temperature T | flux q | convection h T | radiation B T zero T0, where T and q may
-   be variables; keywords: place body|surface, region ID, area A, cracks yes|no
+   be variables; keywords: place body|surface, region ID, facing x y z, area A, cracks yes|no
 ------------------------------------------------------------------------- */
 
 void FixTMSPHHeatBoundary::parse(int narg, char **arg)
@@ -86,13 +100,15 @@ void FixTMSPHHeatBoundary::parse(int narg, char **arg)
   else
     value = utils::numeric(FLERR, arg[iarg], false, lmp);
   bool surface_words = false, zero_given = false;
-  for (iarg++; iarg < narg; iarg += 2) {
+  int numbers;    // of values to the keyword
+  for (iarg++; iarg < narg; iarg += 1 + numbers) {
     const std::string word = arg[iarg];
-    const auto known = {"place", "region", "area", "cracks", "zero"};
+    const auto known = {"place", "region", "facing", "area", "cracks", "zero"};
     if (std::find(known.begin(), known.end(), word) == known.end())
-      error->all(FLERR, "Unknown keyword '{}' of fix tmsph/heat/boundary: use place, region, area, "
-                        "cracks or zero", word);
-    if (iarg + 1 >= narg)
+      error->all(FLERR, "Unknown keyword '{}' of fix tmsph/heat/boundary: use place, region, "
+                        "facing, area, cracks or zero", word);
+    numbers = word == "facing" ? 3 : 1;
+    if (iarg + numbers >= narg)
       utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary " + word, error);
     const char *given = arg[iarg + 1];
     surface_words = surface_words || (word != "place" && word != "zero");
@@ -104,6 +120,8 @@ void FixTMSPHHeatBoundary::parse(int narg, char **arg)
       place = strcmp(given, "body") == 0 ? BODY : SURFACE;
     } else if (word == "region")
       region_id = given;
+    else if (word == "facing")
+      parse_direction(arg + iarg + 1);
     else if (word == "cracks")
       cracks = utils::logical(FLERR, given, false, lmp);
     else if (word == "zero") {
@@ -118,12 +136,28 @@ void FixTMSPHHeatBoundary::parse(int narg, char **arg)
   if (place == BODY && kind != TEMPERATURE)
     error->all(FLERR, "Fix tmsph/heat/boundary {} acts at the surface: remove 'place body'", what);
   if (place == BODY && surface_words)
-    error->all(FLERR, "Fix tmsph/heat/boundary with 'place body' takes no region, area or cracks: "
-                      "remove them, or use 'place surface'");
+    error->all(FLERR, "Fix tmsph/heat/boundary with 'place body' takes no region, facing, area or "
+                      "cracks: remove them, or use 'place surface'");
   if ((kind == RADIATION) != zero_given)
     error->all(FLERR, "Fix tmsph/heat/boundary {} 'zero T', the temperature of absolute zero",
                kind == RADIATION ? "radiation needs" : what + " does not use");
   if (surface_words) place = SURFACE;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::parse_direction(char **given)
+{
+  double square = 0.0;
+  for (int a = 0; a < 3; a++) {
+    direction[a] = a < domain->dimension ? utils::numeric(FLERR, given[a], false, lmp) : 0.0;
+    square += direction[a] * direction[a];
+  }
+  if (!(square > 0.0 && std::isfinite(square)))
+    error->all(FLERR, "Direction of fix tmsph/heat/boundary facing {} {} {} has no length: give "
+                      "that in which the face looks", given[0], given[1], given[2]);
+  for (double &d : direction) d /= std::sqrt(square);
+  one_sided = true;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -281,6 +315,29 @@ void FixTMSPHHeatBoundary::min_pre_force(int vflag)
 }
 
 /* ----------------------------------------------------------------------
+   One more piece of the surface of a particle: all together conduct like one of
+   area A, depth d and conductivity n.K.n, where A/d and A/d n.K.n are sums over
+   the pieces. Of faces at right angles along the axes of K this n has the part
+   sqrt(A_f/d_f) of each.
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeatBoundary::add(const FixTMSPHHeat::SurfaceShare &share)
+{
+  double *row = store->astore[share.i], *n = row + NORMAL;
+  const double before = row[AREA] > 0.0 ? row[AREA] / row[DEPTH] : 0.0;
+  const double now = share.area / share.surface.depth;
+  const double side = cosine(n, share.surface.normal) < 0.0 ? -1.0 : 1.0;
+  double square = 0.0;
+  for (int a = 0; a < 3; a++) {
+    n[a] = std::sqrt(before) * n[a] + side * std::sqrt(now) * share.surface.normal[a];
+    square += n[a] * n[a];
+  }
+  for (int a = 0; a < 3; a++) n[a] /= std::sqrt(square);
+  row[AREA] += share.area;
+  row[DEPTH] = row[AREA] / (before + now);
+}
+
+/* ----------------------------------------------------------------------
    areas, depths and normals of the particles of the group at the surface
 ------------------------------------------------------------------------- */
 
@@ -309,30 +366,29 @@ void FixTMSPHHeatBoundary::find_surface()
       error->all(FLERR, "Region {} of fix tmsph/heat/boundary does not exist: define it with the "
                         "command region", region_id);
   }
-  const auto shares = heat->surface(cracks);
+  for (int i = 0; i < nlocal; i++) std::fill_n(store->astore[i], (int) NCOLUMNS, 0.0);
   double area = 0.0, total;
-  for (int i = 0; i < nlocal; i++) {
-    double *row = store->astore[i];
-    FixTMSPHHeat::SurfaceShare share = shares[i];
-    std::fill(row, row + NCOLUMNS, 0.0);
-    if (!(atom->mask[i] & groupbit) || share.area == 0.0) continue;
+  for (FixTMSPHHeat::SurfaceShare share : heat->surface(cracks)) {
+    if (!(atom->mask[share.i] & groupbit)) continue;
+    if (one_sided && cosine(direction, share.surface.normal) < FACING) continue;
     if (region) {
       TMSPH::Surface exact;
       exact.depth = 2.0 * bonds.reach();
-      take_nearest_surface(*region, bonds, i, exact);
-      if (exact.exposure == TMSPH::Exposure::GIVEN) share.surface = exact;
+      take_nearest_surface(*region, bonds, share.i, exact);
+      if (exact.exposure == TMSPH::Exposure::GIVEN &&
+          (!share.flat || cosine(exact.normal, share.surface.normal) > SAME_SIDE))
+        share.surface = exact;
     }
-    row[AREA] = share.area;
-    row[DEPTH] = std::max(share.surface.depth, LEAST_DEPTH * bonds.spacing(i));
-    std::copy_n(share.surface.normal, 3, row + NORMAL);
+    share.surface.depth = std::max(share.surface.depth, LEAST_DEPTH * bonds.spacing(share.i));
+    add(share);
     area += share.area;
   }
   MPI_Allreduce(&area, &total, 1, MPI_DOUBLE, MPI_SUM, world);
   if (!(total > 0.0) && !cracks)
     error->all(FLERR,
-               "Group {} of fix tmsph/heat/boundary {} has no particle at a surface: choose a "
+               "Group {} of fix tmsph/heat/boundary {} has no particle at a surface{}: choose a "
                "group that reaches it, or use 'place body'",
-               group->names[igroup], id);
+               group->names[igroup], id, one_sided ? " that looks as 'facing' says" : "");
   if (given_area > 0.0 && total > 0.0)
     for (int i = 0; i < nlocal; i++) store->astore[i][AREA] *= given_area / total;
 }

@@ -57,6 +57,8 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock, public TMSPHRepo
 
   std::string region_id;    // its surface is that of the body
   double given_area;        // of the whole surface of the group, or 0
+  bool one_sided;           // only faces that look in this direction
+  double direction[3];
   bool cracks;              // bonds that are gone make surface
   class FixTMSPHHeat *heat;
   class FixStoreAtom *store;     // area, depth, normal of each particle, in the reference positions
@@ -65,9 +67,11 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock, public TMSPHRepo
   int removals;             // of the bonds when it was found
 
   void parse(int, char **);
+  void parse_direction(char **);
   FixTMSPHHeat *conduction() const;
   void evaluate();
   void find_surface();
+  void add(const FixTMSPHHeat::SurfaceShare &);
 };
 
 }    // namespace LAMMPS_NS

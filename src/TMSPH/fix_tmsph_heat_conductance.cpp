@@ -38,6 +38,7 @@ void FixTMSPHHeat::find_norms()
   for (int i = 0; i < nlocal; i++) lacking = lacking || norms->astore[i][NORM] == 0.0;
   MPI_Allreduce(&lacking, &any, 1, MPI_INT, MPI_MAX, world);
   if (!any) return;
+  evened = faced = false;
 
   std::vector<double> second(nlocal);    // sum_j V_j w R^2
   for (int i = 0; i < nlocal; i++) {
@@ -50,8 +51,10 @@ void FixTMSPHHeat::find_norms()
     }
     second[i] /= atom->vfrac[i];
   }
-  const auto shares = surface(false);
-  const std::vector<char> near = near_surface(shares);
+  const auto found = pulls(false);
+  const std::vector<char> near = near_surface(found);
+  const bool irregular = interior_noise(found, near) >= IRREGULAR;
+  if (!irregular) dimension == 2 ? find_layers<2>(near, second) : find_layers<3>(near, second);
   const auto typical = [&](int type) {
     std::vector<double> inside;
     double mine = 0.0, largest;
@@ -70,7 +73,7 @@ void FixTMSPHHeat::find_norms()
       if (atom->type[i] == type) norms->astore[i][NORM] = dimension / (near[i] ? sum : second[i]);
   }
   find_depths();
-  if (interior_noise(shares, near) >= IRREGULAR) dimension == 2 ? even_out<2>() : even_out<3>();
+  if (irregular) dimension == 2 ? even_out<2>() : even_out<3>();
   for (int type = 1; type <= atom->ntypes; type++)
     if (substances[type].orthotropic)
       dimension == 2 ? calibrate<2>(type, near) : calibrate<3>(type, near);
@@ -132,7 +135,7 @@ template <int D> void FixTMSPHHeat::calibrate(int type, const std::vector<char> 
         bonds->reference_vector(i, j, X);
         const typename Conductivity::Vector R(X);
         if (!pure) continue;
-        const double weight = bonds->weight(i, j) * (evened ? evening(i, j, X) : 1.0);
+        const double weight = bonds->weight(i, j) * correction(i, j, X);
         sum += weight * k(R.normalized()) * R * R.transpose();
       }
       if (!pure) continue;
@@ -190,10 +193,10 @@ template <int D> void FixTMSPHHeat::find_conductances()
         if (substances[jtype].orthotropic) kj = directional[jtype](e);
       }
       double base = (all_norms[i] + all_norms[j]) * bonds->weight(i, j);
-      if (evened) {
+      if (evened || faced) {
         double X[3];
         bonds->reference_vector(i, j, X);
-        base *= evening(i, j, X);
+        base *= correction(i, j, X);
       }
       const bool across = itype != jtype && !tables;
       conductances[at] = (float) (base * (across ? in_series(ki, all_depths[i], kj, all_depths[j])
@@ -210,6 +213,18 @@ std::vector<double> FixTMSPHHeat::stored(int column) const
   std::vector<double> values(atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) values[i] = norms->astore[i][column];
   return values;
+}
+
+/* ----------------------------------------------------------------------
+   factor to the conductance of a bond with reference vector X from i to j
+------------------------------------------------------------------------- */
+
+double FixTMSPHHeat::correction(int i, int j, const double *X) const
+{
+  if (evened) return evening(i, j, X);
+  if (!faced) return 1.0;
+  return domain->dimension == 2 ? 0.5 * (boost<2>(i, X) + boost<2>(j, X))
+                                : 0.5 * (boost<3>(i, X) + boost<3>(j, X));
 }
 
 /* ----------------------------------------------------------------------
@@ -243,6 +258,7 @@ void FixTMSPHHeat::follow()
     all_depths = stored(DEPTH);
     share(all_depths);
     share_multipliers();
+    share_layers();
     domain->dimension == 2 ? find_conductances<2>() : find_conductances<3>();
   } else if (removals != bonds->removals())
     drop_conductances();

@@ -64,7 +64,7 @@ double FixTMSPHHeat::evening(int i, int j, const double *X) const
 template <int D> void FixTMSPHHeat::even_out()
 {
   const int nlocal = atom->nlocal;
-  const auto targets = surface(false);
+  const auto targets = pulls(false);
   const auto near = near_surface(targets);
   all_norms = stored(NORM);
   share(all_norms);

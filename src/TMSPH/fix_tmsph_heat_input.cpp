@@ -30,7 +30,7 @@ using TMSPH::PropertyTable;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 2.0;
+static constexpr double RESTART_FORMAT = 3.0;
 
 // scaled time must leave mechanical waves this many passages while heat crosses the body
 
@@ -52,6 +52,7 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     substances(atom->ntypes + 1), rkl2(true), tables(false), every(1), time_scale(1.0),
     gap(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0)), crosses(false),
     friction(false), viscous(false), told(false), version(-1), removals(0), evened(false),
+    faced(false),
     what_to_send(TEMPERATURE), heats(false), cools(false), stable(0.0), covered(0.0), fastest(0.0),
     comfortable(MAXSMALLINT / 2), applications(0), former_energy(0.0)
 {

@@ -42,11 +42,13 @@ static constexpr int PASSES = 2;
    what its share of the surface takes.
 ------------------------------------------------------------------------- */
 
-template <int D> std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::classify(bool cracks)
+template <int D> std::vector<FixTMSPHHeat::Pull> FixTMSPHHeat::pull_of_bonds(bool cracks)
 {
   const int nlocal = atom->nlocal;
-  std::vector<SurfaceShare> shares(nlocal);
+  std::vector<Pull> pulls(nlocal);
   for (int i = 0; i < nlocal; i++) {
+    Pull &pull = pulls[i];
+    const double c = norms->astore[i][NORM];
     OwnSurface<D> own;
     for (int k = 0; k < bonds->count(i); k++) {
       const int j = bonds->partner_index(i, k), state = bonds->bond_state(i, k);
@@ -57,30 +59,31 @@ template <int D> std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::classify(
       double weight = bonds->weight(i, j);
       if (evened) weight *= 0.5 * (1.0 + all_norms[j] / all_norms[i]) * evening(i, j, X);
       own.add(X, weight);
+      if (faced) weight *= correction(i, j, X);
+      for (int a = 0; a < D; a++) pull.conducted[a] -= 2.0 * c * weight * X[a];
     }
-    SurfaceShare &share = shares[i];
-    share.surface = own.find(bonds->spacing(i), EVEN);
-    const Exposure exposure = share.surface.exposure;
+    pull.surface = own.find(bonds->spacing(i), EVEN);
+    const Exposure exposure = pull.surface.exposure;
     if (exposure == Exposure::SURFACE) {
-      share.surface.depth = own.depth_of_rows(share.surface, bonds->spacing(i));
-      share.area = 2.0 * norms->astore[i][NORM] * own.length_of_sum();
+      pull.surface.depth = own.depth_of_rows(pull.surface, bonds->spacing(i));
+      pull.area = 2.0 * c * own.length_of_sum();
     }
-    share.one_sidedness = own.one_sidedness();
-    share.outermost = exposure == Exposure::LOOSE || share.one_sidedness > OUTERMOST;
+    pull.one_sidedness = own.one_sidedness();
+    pull.outermost = exposure == Exposure::LOOSE || pull.one_sidedness > OUTERMOST;
   }
-  return shares;
+  return pulls;
 }
 
 /* ----------------------------------------------------------------------
    particles that are outermost or have a partner that is
 ------------------------------------------------------------------------- */
 
-std::vector<char> FixTMSPHHeat::near_surface(const std::vector<SurfaceShare> &shares)
+std::vector<char> FixTMSPHHeat::near_surface(const std::vector<Pull> &pulls)
 {
   std::vector<double> outermost;
-  for (const SurfaceShare &s : shares) outermost.push_back(s.outermost);
+  for (const Pull &p : pulls) outermost.push_back(p.outermost);
   share(outermost);
-  std::vector<char> near(shares.size());
+  std::vector<char> near(pulls.size());
   for (int i = 0; i < atom->nlocal; i++) {
     near[i] = outermost[i] != 0.0;
     for (int k = 0; k < bonds->count(i) && !near[i]; k++)
@@ -94,13 +97,31 @@ std::vector<char> FixTMSPHHeat::near_surface(const std::vector<SurfaceShare> &sh
    typical one-sidedness of particles away from any surface: 0 on a lattice
 ------------------------------------------------------------------------- */
 
-double FixTMSPHHeat::interior_noise(const std::vector<SurfaceShare> &shares,
+double FixTMSPHHeat::interior_noise(const std::vector<Pull> &pulls,
                                     const std::vector<char> &near) const
 {
   std::vector<double> inside;
-  for (size_t i = 0; i < shares.size(); i++)
-    if (!near[i]) inside.push_back(shares[i].one_sidedness);
+  for (size_t i = 0; i < pulls.size(); i++)
+    if (!near[i]) inside.push_back(pulls[i].one_sidedness);
   return median(inside, world);
+}
+
+/* ----------------------------------------------------------------------
+   of all local particles; those away from the surface have no area
+------------------------------------------------------------------------- */
+
+std::vector<FixTMSPHHeat::Pull> FixTMSPHHeat::pulls(bool cracks)
+{
+  auto pulls = domain->dimension == 2 ? pull_of_bonds<2>(cracks) : pull_of_bonds<3>(cracks);
+  const std::vector<char> near = near_surface(pulls);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!near[i]) pulls[i].area = 0.0;
+  const double noise = evened ? 0.0 : interior_noise(pulls, near);
+  if (evened)
+    smooth(pulls, IRREGULAR);
+  else if (noise >= IRREGULAR)
+    smooth(pulls, FAR_MORE * noise);
+  return pulls;
 }
 
 /* ----------------------------------------------------------------------
@@ -109,58 +130,64 @@ double FixTMSPHHeat::interior_noise(const std::vector<SurfaceShare> &shares,
    bring together gives the normal. Along it the pulls of the surface add up to
    those that a field of unit slope brings through the inside, as heat is
    conserved.
+   @param least one-sidedness of the surface
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::smooth(std::vector<Pull> &pulls, double least)
+{
+  // the normal from the pulls of the neighborhood, summed up in two passes: it scatters by less
+  // than a hundredth then
+
+  const int nlocal = atom->nlocal;
+  std::vector<double> smoothed[3], sums[3];
+  for (int k = 0; k < 3; k++)
+    for (Pull &pull : pulls) {
+      if (pull.one_sidedness < least) pull.area = 0.0;
+      smoothed[k].push_back(pull.area * pull.surface.normal[k]);
+    }
+  for (int pass = 0; pass < PASSES; pass++)
+    for (int k = 0; k < 3; k++) {
+      share(smoothed[k]);
+      sums[k].assign(nlocal, 0.0);
+      for (int i = 0; i < nlocal; i++) {
+        if (pulls[i].area == 0.0) continue;
+        sums[k][i] = smoothed[k][i];
+        for (int n = 0; n < bonds->count(i); n++) {
+          const int j = bonds->partner_index(i, n);
+          if (j == i || bonds->bond_state(i, n) == FixTMSPHBond::UNBONDED) continue;
+          sums[k][i] += smoothed[k][j];
+        }
+      }
+      smoothed[k] = sums[k];
+    }
+  for (int i = 0; i < nlocal; i++) {
+    Pull &pull = pulls[i];
+    if (pull.area == 0.0) continue;
+    double square = 0.0, along = 0.0;
+    for (int k = 0; k < 3; k++) {
+      square += smoothed[k][i] * smoothed[k][i];
+      along += smoothed[k][i] * pull.surface.normal[k];
+    }
+    const double length = std::sqrt(square);
+    pull.area *= along > 0.0 ? along / length : 0.0;
+    for (int k = 0; k < 3 && length > 0.0; k++) pull.surface.normal[k] = smoothed[k][i] / length;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   flat faces of a lattice take their shares each, else there is one piece to a particle
 ------------------------------------------------------------------------- */
 
 std::vector<FixTMSPHHeat::SurfaceShare> FixTMSPHHeat::surface(bool cracks)
 {
-  const int nlocal = atom->nlocal;
-  std::vector<SurfaceShare> shares = domain->dimension == 2 ? classify<2>(cracks)
-                                                            : classify<3>(cracks);
-  const std::vector<char> near = near_surface(shares);
-  for (int i = 0; i < nlocal; i++)
-    if (!near[i]) shares[i].area = 0.0;
-  double least = IRREGULAR;
-  if (!evened) {
-    const double noise = interior_noise(shares, near);
-    if (noise < IRREGULAR) return shares;
-    least = FAR_MORE * noise;
-  }
-
-  // the normal from the pulls of the neighborhood, summed up in two passes: it scatters by less
-  // than a hundredth then
-
-  std::vector<double> smooth[3], sums[3];
-  for (int k = 0; k < 3; k++)
-    for (SurfaceShare &share : shares) {
-      if (share.one_sidedness < least) share.area = 0.0;
-      smooth[k].push_back(share.area * share.surface.normal[k]);
-    }
-  for (int pass = 0; pass < PASSES; pass++)
-    for (int k = 0; k < 3; k++) {
-      share(smooth[k]);
-      sums[k].assign(nlocal, 0.0);
-      for (int i = 0; i < nlocal; i++) {
-        if (shares[i].area == 0.0) continue;
-        sums[k][i] = smooth[k][i];
-        for (int n = 0; n < bonds->count(i); n++) {
-          const int j = bonds->partner_index(i, n);
-          if (j == i || bonds->bond_state(i, n) == FixTMSPHBond::UNBONDED) continue;
-          sums[k][i] += smooth[k][j];
-        }
-      }
-      smooth[k] = sums[k];
-    }
-  for (int i = 0; i < nlocal; i++) {
-    SurfaceShare &share = shares[i];
-    if (share.area == 0.0) continue;
-    double square = 0.0, along = 0.0;
-    for (int k = 0; k < 3; k++) {
-      square += smooth[k][i] * smooth[k][i];
-      along += smooth[k][i] * share.surface.normal[k];
-    }
-    const double length = std::sqrt(square);
-    share.area *= along > 0.0 ? along / length : 0.0;
-    for (int k = 0; k < 3 && length > 0.0; k++) share.surface.normal[k] = smooth[k][i] / length;
+  const auto found = pulls(cracks);
+  const bool plane = domain->dimension == 2;
+  std::vector<SurfaceShare> shares;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const bool told_apart = faced && (plane ? share_faces<2>(i, found[i], cracks, shares)
+                                            : share_faces<3>(i, found[i], cracks, shares));
+    if (!told_apart && found[i].area > 0.0)
+      shares.push_back({i, found[i].surface, found[i].area, false});
   }
   return shares;
 }
