@@ -30,6 +30,25 @@ using namespace TMSPH;
 static constexpr int ITERATIONS = 60;
 static constexpr double TOLERANCE = 1.0e-3, SAFETY = 1.03;
 
+/* ----------------------------------------------------------------------
+   random multiples of the bonds, which turn along with the body; partners of broken ones may be out
+   of reach, on how many processors decides
+------------------------------------------------------------------------- */
+
+static std::vector<double> trial_displacements(const FixTMSPHBond &bonds, const Atom &atom, int D)
+{
+  std::vector<double> trial(D * (size_t) atom.nlocal);
+  for (int i = 0; i < atom.nlocal; i++)
+    for (int n = 0; n < bonds.count(i); n++) {
+      if (bonds.bond_state(i, n) != FixTMSPHBond::INTACT) continue;
+      double X[3];
+      bonds.reference_vector(i, bonds.partner_index(i, n), X);
+      const double part = uniform_random(atom.tag[i], 7919, bonds.partner_tag(i, n)) - 0.5;
+      for (int k = 0; k < D; k++) trial[D * (size_t) i + k] += part * X[k];
+    }
+  return trial;
+}
+
 /* ---------------------------------------------------------------------- */
 
 double PairTMSPH::stable_timestep()
@@ -45,7 +64,9 @@ template <int D> double PairTMSPH::stable_timestep_in()
   const int nlocal = atom->nlocal;
   if (prepared_version != bond_fix->layout_version()) prepare<D>();
 
-  std::vector<double> trial(D * (size_t) nlocal), at_rest(trial.size()), pushed(trial.size());
+  std::vector<double> trial = trial_displacements(*bond_fix, *atom, D);
+  std::vector<double> at_rest(trial.size()), pushed(trial.size());
+
   // the velocities that the last step took may be wanted yet
 
   std::vector<double> velocities(on.viscosity ? (size_t) D * nlocal : 0);
@@ -84,17 +105,6 @@ template <int D> double PairTMSPH::stable_timestep_in()
     bond_forces<D>(linear, f.data(), D);
   };
 
-  // random multiples of the bonds, which turn along with the body; partners of broken ones may be
-  // out of reach, on how many processors decides
-
-  for (int i = 0; i < nlocal; i++)
-    for (int n = 0; n < bond_fix->count(i); n++) {
-      if (bond_fix->bond_state(i, n) != FixTMSPHBond::INTACT) continue;
-      double X[3];
-      bond_fix->reference_vector(i, bond_fix->partner_index(i, n), X);
-      const double part = uniform_random(atom->tag[i], 7919, bond_fix->partner_tag(i, n)) - 0.5;
-      for (int k = 0; k < D; k++) trial[D * (size_t) i + k] += part * X[k];
-    }
   forces(0.0, at_rest);
   for (int iteration = 0; iteration < ITERATIONS; iteration++) {
     // one scale for all: the longest trial vector is 1

@@ -124,9 +124,10 @@ void TMSPHCut::prepare_bonds()
 /* ----------------------------------------------------------------------
    line x1 y1 x2 y2 | arc xc yc r from to | disc x y z nx ny nz r |
    polygon n x1 y1 z1 ... xn yn zn
+   @return all numbers after the word
 ------------------------------------------------------------------------- */
 
-TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
+std::vector<double> TMSPHCut::read_numbers(int narg, char **arg)
 {
   const std::string shape = arg[0];
   const std::map<std::string, std::pair<int, int>> shapes = {    // dimension, numbers
@@ -153,7 +154,15 @@ TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
                arg[1 + numbers], shape, numbers);
   std::vector<double> v;
   for (int k = 0; k < numbers; k++) v.push_back(utils::numeric(FLERR, arg[1 + k], false, lmp));
+  return v;
+}
 
+/* ---------------------------------------------------------------------- */
+
+TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
+{
+  const std::string shape = arg[0];
+  const std::vector<double> v = read_numbers(narg, arg);
   Flaw flaw;
   if (domain->dimension == 2) flaw.bounds.low[2] = flaw.bounds.high[2] = 0.0;
   if (shape == "line") {

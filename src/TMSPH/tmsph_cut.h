@@ -17,6 +17,7 @@ CommandStyle(tmsph/cut,TMSPHCut);
 #include "tmsph_bounds.h"
 
 #include <functional>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -31,6 +32,7 @@ class TMSPHCut : public Command {
     std::function<bool(const double *, const double *)> crosses;
     TMSPH::Bounds bounds;
   };
+  std::vector<double> read_numbers(int, char **);
   Flaw read_flaw(int, char **);
   bool cuts(const Flaw &, const class FixTMSPHBond &, const double *a, const double *X) const;
   void prepare_bonds();
