@@ -98,12 +98,14 @@ template <int D> void FixTMSPHContact::apply_again()
 {
   for (const Member &m : members)
     for (int a = 0; a < D; a++) atom->f[m.i][a] += m.memory->force[a];
+  if (any_pairs || (segments && segments->any)) balance_couples<D>();
 }
 
 /* ----------------------------------------------------------------------
    Two passes over the pairs: which are active and how stiff all contacts of a
    particle are together, then the forces. Each particle sums them in the order
-   of its partners' ids.
+   of its partners' ids. Of the forces that will balance their couples those of the last step
+   are predicted.
 ------------------------------------------------------------------------- */
 
 template <int D> void FixTMSPHContact::evaluate(double dt)
@@ -131,8 +133,10 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     std::copy_n(gradient + (size_t) D * D * m.i, D * D, row + Row::H);
     for (int a = 0; a < D; a++) {
       row[Row::V + a] = dt > 0.0 ? atom->v[m.i][a] : 0.0;
-      row[Row::A + a] = dt > 0.0 ? atom->f[m.i][a] / atom->rmass[m.i] : 0.0;
+      row[Row::A + a] =
+          dt > 0.0 ? (atom->f[m.i][a] + m.memory->balance[a]) / atom->rmass[m.i] : 0.0;
     }
+    row[Row::BEARS] = pair->bears_stress<D>(m.i);
     row[Row::COMPLIANCE] = 0.0;
   }
   send(0, Row::COMPLIANCE);
@@ -177,6 +181,10 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
         contact_force<D>(law, p.pair, s, frequency, dt, act.f, p.now, heat);
     std::copy_n(s.r, D, act.r);
     act.share = p.pair.share;
+    const bool low = rows[(size_t) width * p.low + Row::BEARS] != 0.0;
+    const bool high = rows[(size_t) width * p.high + Row::BEARS] != 0.0;
+    act.borne[0] = !low ? 0.0 : high ? act.share : 1.0;
+    act.borne[1] = !high ? 0.0 : low ? 1.0 - act.share : 1.0;
     totals[WORK] += p.copy ? heat : 0.5 * heat;
     if (!heats.empty()) heats[n] = heat;
     totals[DEEPEST] = std::max(totals[DEEPEST], s.penetration);
@@ -195,13 +203,15 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
       if (pressing[e.pairing] == 0.0) continue;
       const Act &act = acts[e.pairing];
       Effect &effect = atom->type[m.i] < atom->type[e.j] ? counted : other;
-      effect.add<D>(e.low ? -1.0 : 1.0, e.low ? act.share : 1.0 - act.share, act.f, act.r);
+      effect.add<D>(e.low ? -1.0 : 1.0, e.low ? act.share : 1.0 - act.share,
+                    act.borne[e.low ? 0 : 1], act.f, act.r);
     }
     add_to_totals(m.i, counted);
     counted.add(other);
     acts_on(counted, m);
   }
   if (pair->keeps_touches()) keep_touches<D>(states, heats);
+  balance_couples<D>();
   if (search_due) search<D>(states);
 }
 
@@ -253,7 +263,6 @@ void FixTMSPHContact::acts_on(const Effect &effect, const Member &m)
   for (int a = 0; a < domain->dimension; a++) atom->f[m.i][a] += effect.force[a];
   std::copy_n(effect.force, 3, memory.force);
   for (int k = 0; k < 6; k++) memory.stress[k] = effect.stress[k] / atom->vfrac[m.i];
-  std::copy_n(memory.couple, 3, memory.couple_before);
   std::copy_n(effect.couple, 3, memory.couple);
 }
 
@@ -310,33 +319,16 @@ void FixTMSPHContact::rubbings(std::vector<Rubbing> &list)
 }
 
 /* ----------------------------------------------------------------------
-   Pair forces off the line of centres turn a pair. The bonds of both ends
-   balance that in the next force evaluation, without which a free body would have no
-   equilibrium; in a repeated step as they did then.
-------------------------------------------------------------------------- */
-
-const std::vector<PairTMSPH::Contact::Couple> &FixTMSPHContact::couples()
-{
-  follow(false);
-  couple_list.clear();
-  if (update->setupflag && !resumed) return couple_list;
-  for (const Member &m : members) {
-    const double *c = update->setupflag ? m.memory->couple_before : m.memory->couple;
-    couple_list.push_back({m.i, {c[0], c[1], c[2]}});
-  }
-  return couple_list;
-}
-
-/* ----------------------------------------------------------------------
-   those of evaluate(), and where bonds are tested those of add_stress()
+   those of evaluate() and of balance_couples()
 ------------------------------------------------------------------------- */
 
 int FixTMSPHContact::doubles_per_ghost() const
 {
-  const int rows = segments    ? SegmentRow::WIDTH
-      : domain->dimension == 2 ? ContactRow<2>::WIDTH
-                               : ContactRow<3>::WIDTH;
-  return rows + (pair->bonds_may_break() ? pair->stress_size() + 1 : 0);
+  const int d = domain->dimension;
+  const int rows = segments ? SegmentRow::WIDTH
+      : d == 2              ? ContactRow<2>::WIDTH
+                            : ContactRow<3>::WIDTH;
+  return rows + d * d;
 }
 
 /* ----------------------------------------------------------------------

@@ -20,6 +20,7 @@ FixStyle(tmsph/contact,FixTMSPHContact);
 #include "tmsph_contact_pair.h"
 #include "tmsph_own_surface.h"
 #include "tmsph_plane_fit.h"
+#include "tmsph_presses.h"
 
 #include <array>
 #include <cstdint>
@@ -37,19 +38,21 @@ constexpr double SEARCH_MARGIN = 0.1;
     front and behind. */
 constexpr double OUTLINE_REACH = 1.5;
 
-/** What a force evaluation tells of each particle: F - I, velocity, acceleration, compliance
-    Kc/m. */
+/** What a force evaluation tells of each particle: F - I, velocity, acceleration, 1 if its bonds
+    can balance a couple, compliance Kc/m. */
 template <int D> struct ContactRow {
-  static constexpr int H = 0, V = D * D, A = V + D, COMPLIANCE = A + D, WIDTH = COMPLIANCE + 1;
+  static constexpr int H = 0, V = D * D, A = V + D, BEARS = A + D, COMPLIANCE = BEARS + 1,
+                       WIDTH = COMPLIANCE + 1;
 };
 
 /** And of its places at segments: the ids of the ends, the share of the second, stiffness; then
     force, from the particle to the place, distance when touching, normal force, heat, share of the
-    particle in the sum of the depths. */
+    particle in the sum of the depths, 1/sum of the shares of the ends that can balance a couple. */
 struct SegmentRow : ContactRow<2> {
   static constexpr int PLACES = 2;
   static constexpr int START = 0, END = 1, ALONG = 2, STIFFNESS = 3, WHERE_SIZE = 4;
-  static constexpr int F = 0, R = 2, TOUCHING = 4, NORMAL = 5, HEAT = 6, SHARE = 7, FORCE_SIZE = 8;
+  static constexpr int F = 0, R = 2, TOUCHING = 4, NORMAL = 5, HEAT = 6, SHARE = 7, BORNE = 8,
+                       FORCE_SIZE = 9;
   static constexpr int WHERE = ContactRow<2>::WIDTH, FORCE = WHERE + PLACES * WHERE_SIZE,
                        WIDTH = FORCE + PLACES * FORCE_SIZE;
 };
@@ -58,7 +61,10 @@ struct SegmentRow : ContactRow<2> {
 
 namespace LAMMPS_NS {
 
-class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStoresIds {
+class FixTMSPHContact : public Fix,
+                        public PairTMSPH::Contact,
+                        public TMSPHPresses,
+                        public TMSPHStoresIds {
  public:
   FixTMSPHContact(class LAMMPS *, int, char **);
   ~FixTMSPHContact() override;
@@ -88,8 +94,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStore
 
   bool touching(int, int) const override { return true; }
   unsigned states() const override;
-  const std::vector<Couple> &couples() override;
-  void add_stress(double *stress) override;
+  void add_shares(std::vector<Share> &) override;
   int doubles_per_ghost() const override;
   void touches(std::vector<Touch> &) override;
   void rubbings(std::vector<Rubbing> &) override;
@@ -121,7 +126,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStore
   /** What a particle with contacts remembers of its last step. */
   struct Memory {
     double force[3] = {}, stress[6] = {};            // by contact; share of the Cauchy stress
-    double couple[3] = {}, couple_before[3] = {};    // for the next step, and of the last
+    double couple[3] = {}, balance[3] = {};          // by contact; force by bonds that balance some
     std::uint64_t stamp = 0;                         // fingerprint at the end of the run
     std::vector<Record> records;                     // of the reference family, ascending partners
     std::vector<Met> met;                            // ascending partners
@@ -183,12 +188,14 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStore
   /** What contacts do to a particle. */
   struct Effect {
     double force[3] = {}, stress[6] = {}, couple[3] = {};    // stress: times volume
-    template <int D> void add(double sign, double share, const double *f, const double *r);
+    template <int D>
+    void add(double sign, double share, double borne, const double *f, const double *r);
     void add(const Effect &);
   };
   /** What a pair does in a step, in the compact form that both ends take it from. */
   struct Act {
     double f[3], r[3], share;
+    double borne[2];      // shares of the low and the high end in the couple
   };
   /** One end of a pair, at a local particle. */
   struct End {
@@ -201,6 +208,11 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStore
   struct Member {
     int i, first, last;    // local particle, its ends
     Memory *memory;
+  };
+  /** A local particle with a bond to one that may touch, or one itself. */
+  struct Bearer {
+    int i;
+    Memory *memory;        // nullptr: no contacts
   };
 
   PairTMSPH *pair;
@@ -220,7 +232,7 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStore
   std::vector<double> pressing;              // stiffness of each pair that presses, else 0
   std::vector<Act> acts;                     // of those
   bool records_behind;                       // the pairings know more than the records
-  std::vector<Couple> couple_list;
+  std::vector<Bearer> bearers;
   bool any_pairs;                            // on any processor
   bool resumed;                              // the setup takes the forces of the last step again
   int version, removals;                     // of the bonds when the pairs were listed
@@ -264,6 +276,8 @@ class FixTMSPHContact : public Fix, public PairTMSPH::Contact, public TMSPHStore
   void plan_search();
   template <int D> void evaluate(double dt);
   void acts_on(const Effect &, const Member &);
+  void find_bearers();
+  template <int D> void balance_couples();
   void write_back();
   void add_to_totals(int i, const Effect &);
   template <int D> void apply_again();
@@ -297,15 +311,16 @@ inline TMSPH::ContactEnd<D> FixTMSPHContact::end_at(int p, bool expands) const
   using Row = TMSPH::ContactRow<D>;
   const double *row = rows.data() + (size_t) width * p;
   return {atom->x[p], row + Row::V, row + Row::A, row + Row::H,
-          expands ? pair->thermal_strain(p) : 0.0};
+          expands ? pair->thermal_strain(p) : 0.0, row[Row::BEARS] != 0.0};
 }
 
 /** Half of a contact, between two points.
     @param sign  1 at the second of them, on which f acts, -1 at the first
     @param share depth of the particle below its surface/sum of both depths
+    @param borne share of the particle in the couple
     @param r     from the first point to the second */
 template <int D>
-inline void FixTMSPHContact::Effect::add(double sign, double share, const double *f,
+inline void FixTMSPHContact::Effect::add(double sign, double share, double borne, const double *f,
                                          const double *r)
 {
   const double part = 0.25 + 0.5 * share;    // of the stress: by depth and evenly, the mean
@@ -313,11 +328,11 @@ inline void FixTMSPHContact::Effect::add(double sign, double share, const double
     force[a] += sign * f[a];
     stress[a] -= part * f[a] * r[a];
   }
-  couple[2] -= share * (r[0] * f[1] - r[1] * f[0]);
+  couple[2] -= borne * (r[0] * f[1] - r[1] * f[0]);
   stress[3] -= 0.5 * part * (f[0] * r[1] + f[1] * r[0]);
   if (D == 2) return;
-  couple[0] -= share * (r[1] * f[2] - r[2] * f[1]);
-  couple[1] -= share * (r[2] * f[0] - r[0] * f[2]);
+  couple[0] -= borne * (r[1] * f[2] - r[2] * f[1]);
+  couple[1] -= borne * (r[2] * f[0] - r[0] * f[2]);
   stress[4] -= 0.5 * part * (f[0] * r[2] + f[2] * r[0]);
   stress[5] -= 0.5 * part * (f[1] * r[2] + f[2] * r[1]);
 }

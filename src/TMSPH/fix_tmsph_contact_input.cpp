@@ -28,7 +28,7 @@ using TMSPH::PairGeometry;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 2.0;
+static constexpr double RESTART_FORMAT = 3.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -213,7 +213,7 @@ int FixTMSPHContact::pack_exchange(int i, double *buf)
   p = std::copy_n(memory.force, 3, p);
   p = std::copy_n(memory.stress, 6, p);
   p = std::copy_n(memory.couple, 3, p);
-  p = std::copy_n(memory.couple_before, 3, p);
+  p = std::copy_n(memory.balance, 3, p);
   *p++ = ubuf((int64_t) memory.stamp).d;
   *p++ = memory.rubbed;
   *p++ = memory.apart;
@@ -261,7 +261,7 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
   take(memory.force, 3);
   take(memory.stress, 6);
   take(memory.couple, 3);
-  take(memory.couple_before, 3);
+  take(memory.balance, 3);
   memory.stamp = (std::uint64_t) ubuf(*p++).i;
   memory.rubbed = *p++;
   memory.apart = *p++;

@@ -191,6 +191,7 @@ void FixTMSPHContact::list_pairs()
   MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
   maxexchange = std::max(all[0], exchange_size(0, 0, 0, 0));
   any_pairs = all[1];
+  if (any_pairs || (segments && segments->any)) find_bearers();
 }
 
 /* ----------------------------------------------------------------------

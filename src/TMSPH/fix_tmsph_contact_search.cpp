@@ -212,7 +212,8 @@ template <int D> int FixTMSPHContact::meet()
     const int low = is_low ? i : j, high = is_low ? j : i;
     const double *one = row(low), *other = row(high);
     const auto end = [&](int p) {
-      return ContactEnd<D>{atom->x[p], REST, REST, row(p) + Row::H, pair->thermal_strain(p)};
+      return ContactEnd<D>{atom->x[p], REST, REST, row(p) + Row::H, pair->thermal_strain(p),
+                           true};
     };
     ContactPair pair_of_them = {};
     pair_of_them.horizon = within;

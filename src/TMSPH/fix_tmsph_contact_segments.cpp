@@ -283,9 +283,12 @@ void FixTMSPHContact::hold(Slave &slave, double dt)
           (relative(Row::V) + ahead * (relative(Row::A) + pushed[c] / atom->rmass[i])));
     }
     const double ratio = law == ContactLaw::PAPER ? 1.0 : TANGENTIAL;
+    const double share = bonds->spacing(i) / (bonds->spacing(i) + bonds->spacing(p.a));
+    const double borne = (1.0 - p.along) * a[Row::BEARS] + p.along * b[Row::BEARS];
+    const bool held = borne > 0.0 || mine[Row::BEARS] != 0.0;
+    const double limit = held ? friction[atom->type[i]][atom->type[p.a]] * normal[n] : 0.0;
     double rubbing, excess;
-    implicit_friction<1>(ratio * k, ratio * q, friction[atom->type[i]][atom->type[p.a]] * normal[n],
-                         &slip, &rubbing, &excess);
+    implicit_friction<1>(ratio * k, ratio * q, limit, &slip, &rubbing, &excess);
     for (int c = 0; c < 2; c++) origin[c] += excess * tangent[c] - A[c];
     anchors.push_back({atom->tag[p.a], atom->tag[p.b],
                        (origin[0] * e[0] + origin[1] * e[1]) / square,
@@ -295,9 +298,9 @@ void FixTMSPHContact::hold(Slave &slave, double dt)
       out[Row::F + c] = rubbing * tangent[c] - normal[n] * p.normal[c];
       out[Row::R + c] = A[c] + p.along * e[c] - x[c];
     }
-    const double share = bonds->spacing(i) / (bonds->spacing(i) + bonds->spacing(p.a));
     out[Row::TOUCHING] = p.touching;
     out[Row::SHARE] = share;
+    out[Row::BORNE] = borne > 0.0 ? 1.0 / borne : 0.0;
     out[Row::NORMAL] = normal[n];
     out[Row::HEAT] = rubbing * excess;
 
@@ -317,10 +320,12 @@ void FixTMSPHContact::hold(Slave &slave, double dt)
 void FixTMSPHContact::add_places(int i, Effect &counted, Effect &other) const
 {
   const Segments &s = *segments;
+  const double bears = rows[(size_t) width * i + Row::BEARS];
   const auto add = [&](int j, double sign, double weight, const double *force, double share) {
     Effect &effect = atom->type[i] < atom->type[j] ? counted : other;
     const double f[2] = {weight * force[Row::F], weight * force[Row::F + 1]};
-    effect.add<2>(sign, share, f, force + Row::R);
+    const double borne = sign > 0.0 ? force[Row::BORNE] : force[Row::BORNE] == 0.0;
+    effect.add<2>(sign, share, bears * borne, f, force + Row::R);
   };
   if (s.slave_of[i] >= 0)
     for (int n = 0; n < s.slaves[s.slave_of[i]].count; n++) {

@@ -15,10 +15,6 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// particles share their stress in full when contact makes this part of it
-
-static constexpr double PRESSED = 0.125;
-
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHContact::add_virial()
@@ -33,52 +29,36 @@ void FixTMSPHContact::add_virial()
 }
 
 /* ----------------------------------------------------------------------
-   The share of a pair goes to its two ends, while what they pass on inside the body is spread
-   over the horizon: stresses beside a cut would scatter by 15 % with its place in the lattice.
-   Meant is their average with the kernel (Hardy, J. Chem. Phys. 76 (1982) 622). Particles that
-   contacts press exchange stress with bonded neighbors of their type that are pressed too,
-   V_i dS_i = sum_j V_i V_j W_ij p_i p_j (S_j - S_i), which keeps sum V S.
+   The pressure of pairs also pushes sideways in the material that it presses, which moves along with
+   its neighbors: see lateral_ratio(). It acts along the mean normal of the pairs, and is the trace
+   of their share.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHContact::add_stress(double *stress)
+void FixTMSPHContact::add_shares(std::vector<Share> &shares)
 {
   follow(false);
-  if (!any_pairs && !(segments && segments->any)) return;
-  const int size = pair->stress_size(), nlocal = atom->nlocal, dimension = domain->dimension;
-  const int how_pressed = size;
-  width = size + 1;
-  rows.assign((size_t) width * (nlocal + atom->nghost), 0.0);
-  const auto norm = [=](const double *s) {
-    double square = 0.0;
-    for (int k = 0; k < size; k++) square += (k < dimension ? 1.0 : 2.0) * s[k] * s[k];
-    return std::sqrt(square);
-  };
+  const int d = domain->dimension;
   for (const Member &m : members) {
-    const double *s = m.memory->stress;
-    const double flat[3] = {s[0], s[1], s[3]};
-    const double *by_contact = size == 3 ? flat : s;
-    double *mine = stress + (size_t) size * m.i;
-    double *row = rows.data() + (size_t) width * m.i;
-    const double pushed = norm(by_contact), bonded = norm(mine);
-    for (int k = 0; k < size; k++) row[k] = mine[k] += by_contact[k];
-    if (pushed > 0.0)
-      row[how_pressed] = std::min(1.0, pushed / (PRESSED * (pushed + bonded)));
-  }
-  send(0, width);
-
-  for (const Member &m : members) {
-    const int i = m.i;
-    const double *mine = rows.data() + (size_t) width * i;
-    if (mine[how_pressed] == 0.0) continue;
-    for (int k = 0; k < bonds->count(i); k++) {
-      if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
-      const int j = bonds->partner_index(i, k);
-      const double *his = rows.data() + (size_t) width * j;
-      if (his[how_pressed] == 0.0 || atom->type[j] != atom->type[i]) continue;
-      const double share = mine[how_pressed] * his[how_pressed] / bonds->body_thickness() *
-          bonds->kernel_mass(i, j, pair->horizon(atom->type[i], atom->type[i]));
-      for (int l = 0; l < size; l++)
-        stress[(size_t) size * i + l] += share * (his[l] - mine[l]);
+    const double *s = m.memory->stress, *H = pair->step_gradient() + (size_t) d * d * m.i;
+    if (std::all_of(s, s + 6, [](double one) { return one == 0.0; })) continue;
+    Share share = {m.i, segments != nullptr, {s[0], s[1], s[2], s[3], s[4], s[5]}};
+    double reference[3] = {}, n[3] = {}, square = 0.0;
+    for (int k = m.first; k < m.last; k++) {
+      const PairGeometry &p = pairings[ends[k].pairing].pair;
+      for (int a = 0; a < d; a++)
+        reference[a] += (ends[k].low ? 1.0 : -1.0) * (p.normal_low[a] + p.normal_high[a]);
     }
+    for (const double one : reference) square += one * one;
+    if (square > 0.0) {
+      for (double &one : reference) one /= std::sqrt(square);
+      d == 2 ? carried_normal<2>(H, reference, n) : carried_normal<3>(H, reference, n);
+      const double trace = s[0] + s[1] + s[2];
+      const double lateral = pair->lateral_ratio(atom->type[m.i]) * std::min(0.0, trace);
+      for (int a = 0; a < d; a++) share.stress[a] += lateral * (1.0 - n[a] * n[a]);
+      share.stress[3] -= lateral * n[0] * n[1];
+      share.stress[4] -= lateral * n[0] * n[2];
+      share.stress[5] -= lateral * n[1] * n[2];
+    }
+    shares.push_back(share);
   }
 }

@@ -15,6 +15,7 @@ FixStyle(tmsph/wall,FixTMSPHWall);
 
 #include "fix_tmsph_bond.h"
 #include "tmsph_contact_law.h"
+#include "tmsph_presses.h"
 #include "tmsph_rigid_motion.h"
 #include "tmsph_wall_shape.h"
 
@@ -26,7 +27,7 @@ FixStyle(tmsph/wall,FixTMSPHWall);
 
 namespace LAMMPS_NS {
 
-class FixTMSPHWall : public Fix, public TMSPHStoresIds {
+class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
  public:
   FixTMSPHWall(class LAMMPS *, int, char **);
   ~FixTMSPHWall() override;
@@ -41,6 +42,7 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   double compute_vector(int) override;
   double memory_usage() override;
   bool has_ids() const override { return !memories.empty(); }
+  void add_shares(std::vector<Share> &) override;
   int image(int *&, double **&) override;
 
   /// lines of two points in 2-D, triangles in 3-D, where the wall is now
@@ -63,6 +65,9 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
 
  private:
   using Point = TMSPH::Point;
+
+  /// how far behind the surface a centre is still held, in half cells
+  static constexpr double REACH = 2.0;
 
   /** Where friction is zero, in the coordinates of the wall at the start. */
   struct Anchor {
@@ -145,6 +150,7 @@ class FixTMSPHWall : public Fix, public TMSPHStoresIds {
   bool touch(const Candidate &, Touching &) const;
   void predict(Touching &, double dt) const;
   double gap_of(int i) const;
+  double half_row(int i, const Point &normal) const;
   double stiffness_of(int i, double penetration, double dt) const;
   void find_touching(double dt);
   void act(double dt);

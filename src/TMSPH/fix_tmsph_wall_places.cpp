@@ -19,10 +19,6 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// how far behind the surface a centre is still held, in half cells
-
-static constexpr double REACH = 2.0;
-
 /* ----------------------------------------------------------------------
    In a periodic direction a wall is there once in each period, or goes on without end if it spans
    one. A longer one is there as it is given.

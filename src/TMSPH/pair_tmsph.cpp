@@ -67,7 +67,6 @@ template <int D> void PairTMSPH::evaluate()
   if (averaging) find_pressures<D>();
   if (testing) test_bonds<D>();
   if (averaging) complete_rows<D>();
-  if (contact) add_couples<D>();
   send(FORCE_ROWS);
 
   bond_forces<D>(viscosity, atom->f[0], 3);
@@ -247,7 +246,7 @@ const double *PairTMSPH::step_velocity(int i) const
 template <int D> void PairTMSPH::test_bonds()
 {
   own_side_stress<D>(true);
-  if (contact) contact->add_stress(stress.data());
+  add_surface_stress();
   send(STRESS);
   touched.clear();
   break_test->break_bonds(stress.data(), touched);
@@ -272,33 +271,6 @@ template <int D> void PairTMSPH::test_bonds()
   for (auto &one : crossing)
     if (std::binary_search(touched.begin(), touched.end(), one.i)) update_crossing<D>(one);
   if (averaging) find_pressures<D>();
-}
-
-/* ----------------------------------------------------------------------
-   A stress P with P F^T = eps.c/(2V), skew, exerts the torque c on the neighborhood of its
-   particle and no force: sum_j x_ij x f_ij = -V eps:(F P^T).
-------------------------------------------------------------------------- */
-
-template <int D> void PairTMSPH::add_couples()
-{
-  for (const Contact::Couple &couple : contact->couples()) {
-    const int i = couple.i;
-    const Matrix<D, double> inverse = shape_inverse<D>(own_constants<D>(i));
-    Matrix<D, double> skew, H;
-    const double *c = couple.axial;
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) {
-        skew[a][b] = a == b ? 0.0 : 0.5 * ((b - a + 3) % 3 == 1 ? c[3 - a - b] : -c[3 - a - b]);
-        H[a][b] = gradient[(size_t) D * D * i + D * a + b];
-      }
-    const Matrix<D, double> F = deformation(H);
-    const Matrix<D, double> B = product(product(skew, cofactor(F)), inverse);
-    const double J = determinant(F);
-    if (!(J > 0.0)) continue;
-    double *row = force_row.data() + (size_t) i * Rows<D>::FORCE + Rows<D>::B;
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++) row[D * a + b] += B[a][b] / J;
-  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -352,7 +324,7 @@ PairTMSPH::Fields PairTMSPH::fields()
     gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
     if (averaging) find_pressures<D>();
     own_side_stress<D>(false);
-    if (contact) contact->add_stress(stress.data());
+    add_surface_stress();
   };
   if (domain->dimension == 2)
     fill(std::integral_constant<int, 2>());

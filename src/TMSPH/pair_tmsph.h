@@ -48,22 +48,12 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
     ~BreakTest() = default;    // owned as a fix, never through this interface
   };
 
-  /** What a fix for contact of surfaces offers: it acts after the bonds, on the next step also
-      through them. */
+  /** What a fix for contact of surfaces offers: it acts after the bonds. */
   struct Contact {
-    /// a torque that the bonds of local particle i shall exert: what its contacts lack in balance
-    struct Couple {
-      int i;
-      double axial[3];
-    };
     /// true if particles of these types, which are not bonded, may touch
     virtual bool touching(int itype, int jtype) const = 0;
     /// bit 1<<state for each state of a family that it sees to
     virtual unsigned states() const = 0;
-    /// couples of the force evaluation that goes on
-    virtual const std::vector<Couple> &couples() = 0;
-    /// adds the share of contact to the Cauchy stress rows of local particles
-    virtual void add_stress(double *stress) = 0;
     /// doubles that it sends per ghost and step where surfaces may touch
     virtual int doubles_per_ghost() const = 0;
 
@@ -135,6 +125,12 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   }
   /// number of stress components per particle in fields(): xx yy xy, or xx yy zz xy xz yz
   int stress_size() const;
+  /// stress along a surface/stress across it where the material cannot stretch along it
+  double lateral_ratio(int type) const
+  {
+    const TMSPH::Elastic &m = materials[type].elastic;
+    return m.lambda / (m.lambda + 2.0 * m.shear);
+  }
   void set_break_test(BreakTest *test) { break_test = test; }
   bool bonds_may_break() const { return break_test != nullptr; }
   void set_contact(Contact *given) { contact = given; }
@@ -147,6 +143,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   /// only with a contact set
   const double *step_gradient() const { return gradient.data(); }
   double thermal_strain(int i) const;
+  /// false for a local particle with too few bonds for a deformation gradient, see update_shape()
+  template <int D> bool bears_stress(int i) const { return *own_constants<D>(i) != 0.0; }
   bool expands() const { return on.thermal != TMSPH::ThermalStrain::NONE; }
   /// power that viscosity took at local particles in the last force evaluation, to be called before
   /// the next exchange; 0 without viscosity
@@ -225,6 +223,9 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   TMSPH::Slices own_side;                         // particles with bonds to other materials
   std::vector<int> own_side_lane;                 // [nlocal] lane in own_side, or -1
   std::vector<int> touched;
+  std::vector<double> pressed;                    // [nlocal+nghost][pressed_width()], on demand
+  std::vector<int> border;                        // local particles with bonds to ghosts
+  int border_version;                             // layout that it belongs to
 
   // averaged dilatation
   bool averaging;                                 // some material averages
@@ -248,7 +249,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   std::vector<double> coupling_row;               // [nlocal+nghost][D*D + 1]
   TMSPH::InterfaceDepth interface_depth;
 
-  enum { FORCE_ROWS, STRESS, DISPLACEMENT, AVERAGE, COUPLING } what_to_send;
+  enum { FORCE_ROWS, STRESS, DISPLACEMENT, AVERAGE, COUPLING, PRESSES } what_to_send;
 
   void allocate();
   void complete_particles();
@@ -263,7 +264,10 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   template <int D> void evaluate();
   template <int D> void test_bonds();
   template <int D> void own_side_stress(bool inverted_breaks);
-  template <int D> void add_couples();
+  void add_surface_stress();
+  std::vector<int> find_pressed(const std::vector<int> &sharing);
+  bool own_bond(int i, int k) const;    // intact, to the own material
+  int pressed_width() const { return stress_size() + 1; }
   bool averaged(int type) const;
   void init_dilatation();
   void lay_out_averaging();

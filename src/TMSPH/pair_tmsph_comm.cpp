@@ -40,6 +40,9 @@ void PairTMSPH::send(decltype(FORCE_ROWS) what)
     case DISPLACEMENT:
       comm_forward = d;
       break;
+    case PRESSES:
+      comm_forward = pressed_width();
+      break;
     case AVERAGE:
       comm_forward = 1;
       break;
@@ -59,6 +62,8 @@ std::pair<double *, int> PairTMSPH::rows_to_send()
       return {force_row.data(), two ? Rows<2>::FORCE : Rows<3>::FORCE};
     case STRESS:
       return {stress.data(), stress_size()};
+    case PRESSES:
+      return {pressed.data(), pressed_width()};
     case AVERAGE:
       return {exchanged.data(), 1};
     case COUPLING:

@@ -56,6 +56,7 @@ template <int D> struct ContactEnd {
   const double *x, *v, *a;    ///< position, velocity, acceleration by all other forces
   const double *H;            ///< F - I, row-major
   double thermal;             ///< thermal strain
+  bool bears;                 ///< can its bonds balance a couple?
 };
 
 /** What a step makes of a pair before any contact has acted. */
@@ -70,6 +71,7 @@ template <int D> struct ContactState {
   double slip[D - 1];             ///< at the end of the step, from where friction is zero
   double stretch;                 ///< 1 + thermal strain
   double lean;                    ///< cosine of half the angle between the normals of the ends
+  bool central;                   ///< no end can balance a couple: it acts along the line between
 };
 
 /// direction of F^-T N, of unit length; N itself where F is inside out
@@ -148,7 +150,8 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
                                      Kernel kernel, double dt)
 {
   ContactState<D> s;
-  const bool loose = pair.loose != 0.0;
+  s.central = !low.bears && !high.bears;
+  const bool loose = pair.loose != 0.0 || s.central;    // along the line between
   double n_low[D], n_high[D], square = 0.0, low_one = 0.0, high_one = 0.0;
   carried_normal<D>(low.H, pair.normal_low, n_low);
   carried_normal<D>(high.H, pair.normal_high, n_high);
@@ -216,9 +219,8 @@ inline double contact_force(ContactLaw law, const ContactPair &pair, const Conta
   if (law == ContactLaw::PENALTY && normal > 0.0)
     normal = damped_normal(normal, s.stiffness, frequency, s.closing);
   double friction[D - 1], excess[D - 1];
-  const double ratio = s.shear_ratio;
-  implicit_friction<D - 1>(ratio * s.stiffness, ratio * q, pair.friction * normal, s.slip, friction,
-                           excess);
+  const double ratio = s.shear_ratio, limit = s.central ? 0.0 : pair.friction * normal;
+  implicit_friction<D - 1>(ratio * s.stiffness, ratio * q, limit, s.slip, friction, excess);
   for (int a = 0; a < D; a++) force[a] = normal * s.normal[a];
   for (int k = 0; k < D - 1; k++) {
     for (int a = 0; a < D; a++) force[a] -= friction[k] * s.tangent[k][a];

@@ -42,8 +42,8 @@ Vector slip(const Vector &N, const Vector &X, const Vector &x, const Tensor &H, 
   tangents(N.data(), REST, N.data(), tangent);
   for (int k = 0; k < 2; k++)
     for (int a = 0; a < 3; a++) pair.origin[k] += tangent[k][a] * X[a];
-  const ContactEnd<3> low{REST, REST, REST, H.data(), 0.0};
-  const ContactEnd<3> high{x.data(), REST, REST, H.data(), 0.0};
+  const ContactEnd<3> low{REST, REST, REST, H.data(), 0.0, true};
+  const ContactEnd<3> high{x.data(), REST, REST, H.data(), 0.0, true};
   const auto s = contact_state<3>(pair, low, high, {}, Kernel::WENDLAND, 0.0);
   Vector sum = Vector::Zero();
   for (int k = 0; k < 2; k++) sum += s.slip[k] * Vector(s.tangent[k]);
@@ -87,7 +87,8 @@ TEST_F(ContactAxes, LooseParticlesAlongAnAxis)
   pair.horizon = 3.0;
   static constexpr double REST[9] = {};
   const Vector v(0.0, 0.3, 0.4);
-  const ContactEnd<3> low{REST, REST, REST, REST, 0.0}, high{N.data(), v.data(), REST, REST, 0.0};
+  const ContactEnd<3> low{REST, REST, REST, REST, 0.0, true};
+  const ContactEnd<3> high{N.data(), v.data(), REST, REST, 0.0, true};
   const auto s = contact_state<3>(pair, low, high, {}, Kernel::WENDLAND, 1.0);
   EXPECT_NEAR(std::hypot(s.slip[0], s.slip[1]), 0.5, 1.0e-14);
 }

@@ -1,0 +1,90 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Stress that walls make in the particles that touch them.
+------------------------------------------------------------------------- */
+
+#include "fix_tmsph_wall.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "pair_tmsph.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+// particles whose heights above the wall differ by less than this many spacings are of one row
+
+static constexpr double ROW = 0.25;
+
+/* ----------------------------------------------------------------------
+   half the distance of the row of a particle from the next one, which is half of the
+   row's thickness; half a spacing if there is no other
+------------------------------------------------------------------------- */
+
+double FixTMSPHWall::half_row(int i, const Point &normal) const
+{
+  const FixTMSPHBond &bonds = *pair->bonds();
+  const double spacing = bonds.spacing(i);
+  double next = spacing;
+  for (int k = 0; k < bonds.count(i); k++) {
+    if (bonds.bond_state(i, k) != FixTMSPHBond::INTACT) continue;
+    const double *x = atom->x[bonds.partner_index(i, k)];
+    double height = 0.0;
+    for (int a = 0; a < 3; a++) height += normal[a] * (x[a] - atom->x[i][a]);
+    if (height > ROW * spacing) next = std::min(next, height);
+  }
+  return 0.5 * next;
+}
+
+/* ----------------------------------------------------------------------
+   Force per area times half a row, in its full thickness V: as pressure p along
+   the normal, p nu/(1 - nu) across it, since the row moves along with its neighbors, and as shear.
+   In a corner the force is the sum of two along the normals, and what is left is friction of both.
+------------------------------------------------------------------------- */
+
+void FixTMSPHWall::add_shares(std::vector<Share> &shares)
+{
+  const int dimension = domain->dimension;
+  for (const auto &[id, memory] : memories) {
+    const int i = atom->map(id);
+    if (i < 0 || i >= atom->nlocal) continue;
+    const double *f = memory.force;
+    WallTouch place[2];
+    const int side = both_sides ? memory.side : 1;
+    const int places =
+        shape->touches(motion.to_body(position_of(i)), REACH * gap_of(i), side, place);
+    double along[2] = {}, normal[2] = {}, cosine = 0.0;
+    for (int p = 0; p < places; p++) {
+      place[p].normal = motion.turned(place[p].normal);
+      for (int a = 0; a < 3; a++) along[p] += f[a] * place[p].normal[a];
+    }
+    if (places == 2)
+      for (int a = 0; a < 3; a++) cosine += place[0].normal[a] * place[1].normal[a];
+    for (int p = 0; p < places; p++)
+      normal[p] = std::max(0.0, (along[p] - cosine * along[1 - p]) / (1.0 - cosine * cosine));
+    Point rubbing = {f[0], f[1], f[2]};
+    for (int p = 0; p < places; p++)
+      for (int a = 0; a < 3; a++) rubbing[a] -= normal[p] * place[p].normal[a];
+
+    Share share = {i, true, {}};
+    const double ratio = pair->lateral_ratio(atom->type[i]);
+    for (int p = 0; p < places; p++) {
+      const Point &n = place[p].normal;
+      const double scale = -half_row(i, n) / atom->vfrac[i];
+      const auto component = [&](int a, int b) {
+        const double one = a == b ? 1.0 : 0.0;
+        return scale * (normal[p] * (n[a] * n[b] + ratio * (one - n[a] * n[b])) +
+                        (rubbing[a] * n[b] + rubbing[b] * n[a]) / places);
+      };
+      for (int a = 0, k = 3; a < dimension; a++) {
+        share.stress[a] += component(a, a);
+        for (int b = a + 1; b < dimension; b++) share.stress[k++] += component(a, b);
+      }
+    }
+    shares.push_back(share);
+  }
+}
