@@ -60,7 +60,7 @@ class Events:
         for frame in lammps_files.frames(path):
             pass
         if frame is None:
-            stop(f"{path} has no frame")
+            stop(f"{path} breaks off within its first frame")
         step, kind, names, table = frame
         if kind == "ATOMS":
             stop(f"{path} is a dump of particles: give the events, 'dump local ... f_ID[*]'")

@@ -23,36 +23,55 @@ def opened(path):
         stop(f"cannot read {path}: {error.strerror}")
 
 
-def frames(path, wanted=None):
-    """(step, kind, names, table) of each frame of a text dump, or of those of the wanted steps; kind
-    is ATOMS, ENTRIES or whatever the label of the rows is."""
+def is_dump(path):
+    with opened(path) as file:
+        return file.readline().startswith("ITEM:")
+
+
+def complete(path):
+    """(step, kind, names, rows of text) of each frame of a text dump that was written to its end: the
+    last one of a run that goes on, or was killed, may not be."""
     with opened(path) as file:
         line = file.readline()
         if not line.startswith("ITEM:"):
-            stop(f"{path} is not a text dump of LAMMPS: its first line is not 'ITEM: ...'")
-        while line:
-            if line.startswith("ITEM: TIMESTEP"):
-                step = int(file.readline())
-            elif line.startswith("ITEM: NUMBER OF"):
-                count = int(file.readline())
-            elif line.startswith(("ITEM: BOX", "ITEM: UNITS", "ITEM: TIME")):
-                for _ in range(3 if line.startswith("ITEM: BOX") else 1):
-                    file.readline()
-            else:
-                kind, *names = line.split()[1:]
-                rows = [file.readline() for _ in range(count)]
-                if wanted is not None and step not in wanted:
-                    line = file.readline()
-                    continue
-                rows = [row.split() for row in rows]
-                if any(len(row) != len(names) for row in rows):
-                    stop(f"{path} ends or breaks off in the frame of step {step}")
-                try:
-                    table = np.array(rows, float).reshape(count, len(names))
-                except ValueError:
-                    stop(f"{path} has words among its numbers: dump columns with numbers only")
-                yield step, kind, names, table
-            line = file.readline()
+            stop(f"{path} is not a text dump of LAMMPS: its first line is not 'ITEM: ...'" if line else
+                 f"{path} is empty")
+        step = count = None
+        try:
+            while line.endswith("\n"):
+                if line.startswith("ITEM: TIMESTEP"):
+                    step = int(file.readline())
+                elif line.startswith("ITEM: NUMBER OF"):
+                    count = int(file.readline())
+                elif line.startswith(("ITEM: BOX", "ITEM: UNITS", "ITEM: TIME")):
+                    for _ in range(3 if line.startswith("ITEM: BOX") else 1):
+                        file.readline()
+                else:
+                    kind, *names = line.split()[1:]
+                    rows = [file.readline() for _ in range(count)]
+                    if rows and not rows[-1].endswith("\n"):
+                        break
+                    yield step, kind, names, rows
+                line = file.readline()
+        except (ValueError, TypeError):    # of numbers that are none, or lacking
+            if file.readline():
+                stop(f"{path} is broken after the frame of step {step}")
+
+
+def frames(path, wanted=None):
+    """(step, kind, names, table) of each complete frame of a text dump, or of those of the wanted
+    steps; kind is ATOMS, ENTRIES or whatever the label of the rows is."""
+    for step, kind, names, rows in complete(path):
+        if wanted is not None and step not in wanted:
+            continue
+        rows = [row.split() for row in rows]
+        if any(len(row) != len(names) for row in rows):
+            stop(f"{path} has rows of another length than its {len(names)} columns at step {step}")
+        try:
+            table = np.array(rows, float).reshape(len(rows), len(names))
+        except ValueError:
+            stop(f"{path} has words among its numbers: dump columns with numbers only")
+        yield step, kind, names, table
 
 
 def quantity(name):
@@ -66,13 +85,14 @@ def quantity(name):
 
 def averages(path):
     """Columns by name of a table of fix ave/time. The names are its first line if that is neither
-    a remark nor numbers, else the last line with # before the data."""
+    a remark nor numbers, else the last line with # before the data. A last line that was not written
+    to its end is left out."""
     names, remark, rows = None, None, []
     with opened(path) as file:
         for line in file:
             if line.startswith("#"):
                 remark = line[1:].split()
-            elif line.strip():
+            elif line.strip() and line.endswith("\n"):
                 rows.append(line.split())
     if rows and not is_number(rows[0][0]):
         names, rows = rows[0], rows[1:]
@@ -97,14 +117,16 @@ def is_number(word):
 def profiles(path):
     """Names of the columns and, for each step, (step, rows) of a table of fix ave/chunk."""
     with opened(path) as file:
-        lines = file.read().splitlines()
+        lines = [line for line in file if line.endswith("\n")]
     remarks = [line for line in lines if line.startswith("#")]
     names = remarks[-1][1:].split() if remarks else []
     words = [line.split() for line in lines if line.strip() and not line.startswith("#")]
     found, k = [], 0
     try:
         while k < len(words):
-            step, count, _ = words[k]
+            step, count, *_ = words[k]
+            if k + int(count) >= len(words):    # not written to its end
+                break
             rows = np.array(words[k + 1: k + 1 + int(count)], float)
             found.append((int(step), rows.reshape(int(count), len(names))))
             k += 1 + int(count)

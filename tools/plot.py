@@ -51,14 +51,22 @@ from plotting import bodies, curves, maps
 BINS = 18              # of the rose over 180 degrees
 
 
+def files(folder, pattern):
+    return [path for path in sorted(folder.glob(pattern)) if path.is_file()]
+
+
 def tables(folder):
     """Columns by name of each table of fix ave/time, and its remark."""
     found = {}
-    for path in sorted(folder.glob("*.txt")):
-        with open(path, errors="replace") as file:
+    for path in files(folder, "*.txt"):
+        with lammps_files.opened(path) as file:
             first = file.readline().split()
-            remark = file.readline()
-        if len(first) > 1 and all(word.isidentifier() for word in first):
+            remark = row = file.readline()
+            while row.startswith("#"):
+                row = file.readline()
+        row = row.split()
+        if len(row) == len(first) > 1 and all(word.isidentifier() for word in first) and (
+                all(map(lammps_files.is_number, row))):
             found[path.stem] = (lammps_files.averages(path),
                                 remark.lstrip("# ").strip() if remark.startswith("#") else "")
     return found
@@ -66,12 +74,12 @@ def tables(folder):
 
 def about(folder):
     """The folder and what the only input in it says of itself in its first words."""
-    inputs, words = sorted(folder.glob("in.*")), []
+    inputs, words = files(folder, "in.*"), []
     name = folder.resolve().name
     inputs = [path for path in inputs if path.name == f"in.{name}"] or inputs
     if len(inputs) == 1:
         for line in inputs[0].read_text(errors="replace").splitlines():
-            if not line.startswith("# ") or (words and words[-1][-1] in ".:"):
+            if not line.startswith("# ") or (words and words[-1].endswith((".", ":"))):
                 break
             words += re.split(r"(?<=[.:])\s", line[2:].strip())[:1]
     return f"{name}: {' '.join(words).rstrip('.:')}" if words else name
@@ -84,7 +92,7 @@ class Titles:
         self.table = next((columns for columns, _ in known.values() if "step" in columns
                            and len(columns) > 1), None)
         names = [name for columns, _ in known.values() for name in columns]
-        names += [name for path in folder.glob("profile*.txt") for name in lammps_files.profiles(path)[0]]
+        names += [name for path in files(folder, "profile*.txt") for name in lammps_files.profiles(path)[0]]
         units = [lammps_files.quantity(name)[1] for name in names]
         self.degrees = next((unit for unit in units if unit in ("C", "K")), "")
 
@@ -118,8 +126,8 @@ def draw_maps(folder, path, name, arguments, titles):
     steps = bodies.steps(path)
     wanted = []
     for step in arguments.step or steps[-1:]:
-        if not steps[0] <= step <= steps[-1]:
-            stop(f"{path} has no step {step}: its frames are of steps {steps[0]} to {steps[-1]}")
+        if not min(steps) <= step <= max(steps):
+            stop(f"{path} has no step {step}: its frames are of steps {min(steps)} to {max(steps)}")
         wanted.append(min(steps, key=lambda known: abs(known - step)))
     shown, walls = bodies.bodies(path, wanted), bodies.walls(folder)
     view = maps.View(shown, arguments.magnify, arguments.section)
@@ -140,6 +148,8 @@ def draw_maps(folder, path, name, arguments, titles):
                 caption, walls)
 
     fields = chosen_fields(arguments, shown, path)
+    if not fields:
+        print(f"no maps of {path}: its fields are the same everywhere; name some with --field")
     for field in fields:
         maps.draw_map(f"{arguments.out}.{field}.png", *drawing(field, view, shown))
     if arguments.movie and fields:
@@ -150,6 +160,8 @@ def draw_maps(folder, path, name, arguments, titles):
 
 def draw_events(path, out, degrees):
     """The rose and the numbers, against the temperature, or time where that is the same."""
+    if not lammps_files.is_dump(path):
+        return
     events = cracks.Events(path)
     if len(events) < 2:
         return
@@ -173,11 +185,11 @@ def draw_tables(folder, out, known):
     title = folder.resolve().name
     for name, (columns, remark) in known.items():
         curves.draw_curves(f"{out}.{name}.png", columns, f"{title}, {name}.txt" + (f"\n{remark}" if remark else ""))
-    for path in sorted(folder.glob("profile*.txt")):
+    for path in files(folder, "profile*.txt"):
         names, found = lammps_files.profiles(path)
         curves.draw_profiles(f"{out}.{path.stem}.png", names, found, f"{title}, {path.name}")
     log = folder / "log.lammps"
-    if log.exists() and "\n   Step" in log.read_text(errors="replace"):
+    if log.exists() and re.search(r"\n   Step .*\n *\d+ ", log.read_text(errors="replace")):
         columns = lammps_files.log(log)
         first = next(name for name in columns if name != "Step")
         energies = {name: column for name, column in columns.items() if name.endswith("_J")}
@@ -204,6 +216,8 @@ def main(words):
     folder = Path(arguments.folder)
     if not folder.is_dir():
         stop(f"there is no folder {folder}")
+    if not np.isfinite(arguments.magnify):
+        stop(f"--magnify {arguments.magnify}: give a number")
     if arguments.section:
         axis, _, at = arguments.section.partition("=")
         if axis not in ("x", "y", "z") or (at and not lammps_files.is_number(at)):
@@ -215,10 +229,11 @@ def main(words):
         arguments.range = float(low), float(high)
     arguments.out = arguments.out or str(folder / "plot")
     known = tables(folder)
-    dumps = [path for path in sorted(folder.glob("dump.*")) if bodies.steps(path)]
+    dumps = [path for path in files(folder, "dump.*") if bodies.steps(path)]
     events = folder / "events.txt"
     if not dumps and not known and not events.exists():
-        stop(f"{folder} has no dump.* of particles, no table *.txt and no events.txt: run an input there")
+        stop(f"{folder} has no dump.* with a complete frame of particles, no table *.txt and no events.txt: "
+             "run an input there")
     titles, out = Titles(folder, known), arguments.out
     for path in dumps:
         name = path.name[len("dump."):] if len(dumps) > 1 else ""

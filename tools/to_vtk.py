@@ -199,6 +199,8 @@ def main(words):
             write_xyz(xyz, step, points, data)
         if arguments.bonds:
             known[step] = ids, points
+    if not files:
+        stop(f"{arguments.dump} breaks off within its first frame")
     series(f"{prefix}.pvd", files)
     print(f"{len(files)} frames in {prefix}.pvd")
     if xyz:

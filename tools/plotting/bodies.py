@@ -47,6 +47,8 @@ class Body:
                 break
         else:
             stop("a dump of particles has no columns x y or xu yu")
+        if len(table) == 0:
+            stop(f"no particles are left at step {step}")
         nothing = np.zeros(len(table))
         self.X = np.stack([self.columns.get(name, nothing) for name in place], axis=1)
         self.u = np.stack([self.columns.get(name, nothing) for name in ("ux", "uy", "uz")], axis=1)
@@ -57,23 +59,22 @@ class Body:
         if self.radius is None or not self.radius.all():
             from scipy.spatial import cKDTree
             self.radius = np.full(len(table), 0.5 * np.median(cKDTree(self.X).query(self.X, 2)[0][:, 1]))
+        if not np.isfinite(self.places(1)).all() or not np.isfinite(self.radius).all():
+            stop(f"particles without a place or a radius at step {step}: dump x y z and radius")
 
     def places(self, magnify):
         return self.X + (magnify - 1) * self.u
 
 
 def steps(path):
-    """The steps of the frames of a dump of particles; nothing if it is another file."""
+    """The steps of the complete frames of a dump of particles; nothing if it is another file."""
+    if not lammps_files.is_dump(path):
+        return []
     found = []
-    with open(path, errors="replace") as file:
-        for line in file:
-            if line.startswith("ITEM: TIMESTEP"):
-                found.append(int(next(file)))
-            elif line.startswith("ITEM: ") and line.split()[1] in ("ATOMS", "ENTRIES"):
-                if line.split()[1] != "ATOMS":
-                    return []
-            elif not found:
-                return []
+    for step, kind, _, _ in lammps_files.complete(path):
+        if kind != "ATOMS":
+            return []
+        found.append(step)
     return found
 
 
@@ -87,7 +88,7 @@ def bodies(path, wanted):
 def walls(folder):
     """Corners of the pieces of all walls, by step: arrays of pieces by corners by 3."""
     found = {}
-    for path in sorted(folder.glob("dump.walls*")):
+    for path in filter(lammps_files.is_dump, sorted(folder.glob("dump.walls*"))):
         for step, _, names, table in lammps_files.frames(path):
             table = table[:, [k for k, name in enumerate(names) if name != "index"]]
             if table.shape[1] not in (7, 10):

@@ -67,6 +67,8 @@ def draw_curves(path, columns, title):
 
 def draw_profiles(path, names, found, title):
     """The last column against the second, for some of the steps."""
+    if not found:
+        return
     chosen = [found[k] for k in sorted(set(np.linspace(0, len(found) - 1, min(MOST, len(found))).astype(int)))]
     figure, ax = plt.subplots(figsize=(5, 3.6), layout="constrained")
     for step, rows in chosen:

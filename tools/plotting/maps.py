@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib import colors, pyplot as plt
 from scipy.spatial import cKDTree
 
+from lammps_files import stop
 from . import bodies as model
 from .save import save
 
@@ -29,7 +30,10 @@ class View:
         self.axis = 2 if self.flat else "xyz".index(name)
         self.plane = [k for k in range(3) if k != self.axis]
         places = np.vstack([body.places(magnify) for body in shown])
-        self.at = float(at) if at else 0.5 * (places[:, self.axis].min() + places[:, self.axis].max())
+        first, last = places[:, self.axis].min(), places[:, self.axis].max()
+        self.at = float(at) if at else 0.5 * (first + last)
+        if not self.flat and not first <= self.at <= last:
+            stop(f"--section {section} is beside the body, which is from {first:.4g} to {last:.4g} m there")
         edge = NEAR * max(body.radius.max() for body in shown)
         self.low = places[:, self.plane].min(axis=0) - edge
         self.high = places[:, self.plane].max(axis=0) + edge

@@ -5,6 +5,8 @@ import io
 from matplotlib import pyplot as plt
 from PIL import Image
 
+from lammps_files import stop
+
 DPI, COLOURS = 120, 96
 
 
@@ -13,5 +15,8 @@ def save(figure, path):
     figure.savefig(buffer, dpi=DPI, format="png", bbox_inches="tight", pad_inches=0.08)
     plt.close(figure)
     picture = Image.open(buffer).convert("RGB")
-    picture.quantize(COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
+    try:
+        picture.quantize(COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
+    except OSError as error:
+        stop(f"cannot write {path}: {error.strerror}")
     print(path)

@@ -110,13 +110,43 @@ def units():
                 " ".join(unit for _, unit in found))
 
 
+def unfinished():
+    """Beside a dump of a run that goes on: torn anywhere in its last frame, that one is left out; and a
+    table, a log, a profile that have begun, a text and an input without a title do no harm."""
+    place = folder / "unfinished it is"
+    place.mkdir()
+    frame = "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS ss ss pp\n" + 3 * "0 1\n" + (
+        "ITEM: ATOMS id x y damage radius\n1 0 0 0 .5\n2 1 0 .1 .5\n3 0 1 .2 .5\n")
+    whole, path = frame.format(0) + frame.format(700), place / "dump.x"
+    lost = []
+    for size in range(len(whole) + 1):
+        path.write_text(whole[:size])
+        lost.append(2 - len(bodies.steps(path)))
+    first = len(frame.format(0))
+    report.true("complete frames of a torn dump", lost == [2] * first + [1] * (len(whole) - first) + [0],
+                f"at {len(lost)} places")
+    path.write_text(whole[:-20])
+    for name, text in (("table.txt", "step u_m force_N\n1 2 3\n2 3 4\n3 4 5.0e"), ("notes.txt", "two words\nand some\n"),
+                       ("log.lammps", "run 5\n   Step Temp x_J\n"), ("profile.txt", "# Chunk r_m T_C\n0 2 4\n"),
+                       ("in.x", "# \n# \n"), ("dump.walls", ""), ("events.txt", "")):
+        (place / name).write_text(text)
+    out = plot(place).splitlines()
+    report.true("plot beside unfinished files", [name.rsplit("/", 1)[1] for name in out] ==
+                ["plot.damage.png", "plot.table.png"], "what is complete")
+    path.write_text(whole.replace("NUMBER OF ATOMS\n3", "NUMBER OF ATOMS\nthree"))
+    said = plot(place, fails=True)
+    report.true("a broken dump", "dump.x is broken" in said and said.count("\n") == 1, said.strip())
+
+
 def wrong():
     (folder / "empty").mkdir()
     for words, text in (((folder / "nowhere",), "no folder"), ((folder / "empty",), "run an input there"),
                         ((folder, "--field", "heat"), "no column heat"),
                         ((folder, "--step", 10**9), "its frames are"),
                         ((folder, "--range=2:1"), "give LOW:HIGH"),
-                        ((folder, "--section", "w"), "give x, y or z")):
+                        ((folder, "--section", "w"), "give x, y or z"),
+                        ((folder, "--magnify", "nan"), "give a number"),
+                        ((folder, "--out", folder / "nowhere/x"), "cannot write")):
         said = plot(*words, fails=True)
         report.true(f"plot.py {' '.join(map(str, words[1:]))}", text in said and said.count("\n") == 1,
                     said.strip())
@@ -128,6 +158,7 @@ try:
     walls_for_paraview()
     pixels()
     units()
+    unfinished()
     wrong()
 finally:
     shutil.rmtree(folder)
