@@ -19,6 +19,8 @@ ComputeTMSPHWallLocal::ComputeTMSPHWallLocal(LAMMPS *lmp, int narg, char **arg) 
     Compute(lmp, narg, arg)
 {
   if (narg > 3) error->all(FLERR, "Compute tmsph/wall/local takes no words, not '{}'", arg[3]);
+  if (!domain->box_exist)    // it may still get another dimension
+    error->all(FLERR, "Compute tmsph/wall/local before the simulation box is defined");
   local_flag = 1;
   size_local_cols = 1 + (domain->dimension == 2 ? 2 : 3) * 3;
 }

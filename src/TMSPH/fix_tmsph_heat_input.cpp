@@ -322,7 +322,7 @@ void FixTMSPHHeat::tell()
                      stable, step, every, step / stable, table.text());
   }
   told = true;
-  if (update->whichflag != 1 || update->nsteps == 0 || strange) return;
+  if (update->whichflag != 1 || update->nsteps == 0 || strange || !std::isfinite(stable)) return;
 
   const double by_the_end = covered + update->nsteps * time_scale * update->dt;
   if (step < LEAST_STEP * stable && by_the_end < stable)

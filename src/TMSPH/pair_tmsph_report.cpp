@@ -41,6 +41,7 @@ void PairTMSPH::run_begins()
   if (!reported) report();
   reported = true;
   if (changed) tell_materials();
+  reported_timestep = reported_timestep && !changed;
   if (moves && !reported_timestep && comm->me == 0)
     utils::logmesg(lmp, "  stable time step {:.4g}, {:.2f} of it in use\n", stable_dt,
                    update->dt / stable_dt);

@@ -60,17 +60,34 @@ std::string digits(double value)
 
 /* ---------------------------------------------------------------------- */
 
+TextTable::Rows TextTable::together() const
+{
+  Rows some;
+  for (const auto &row : rows)
+    if (!some.empty() && std::equal(row.begin() + 1, row.end(), some.back().begin() + 1))
+      some.back()[0] = some.back()[0].substr(0, some.back()[0].find('-')) + "-" + row[0];
+    else
+      some.push_back(row);
+  return some;
+}
+
+/* ---------------------------------------------------------------------- */
+
 std::string TextTable::text() const
 {
+  static constexpr size_t MOST = 21;    // with the headings
+  Rows shown = rows.size() > MOST ? together() : rows;
+  const size_t more = shown.size() > MOST ? shown.size() - MOST : 0;
+  shown.resize(shown.size() - more);
   std::vector<size_t> widths(rows[0].size(), 0);
-  for (const auto &row : rows)
+  for (const auto &row : shown)
     for (size_t c = 0; c < row.size(); c++) widths[c] = std::max(widths[c], row[c].size());
   std::string lines;
-  for (const auto &row : rows) {
+  for (const auto &row : shown) {
     for (size_t c = 0; c < row.size(); c++) lines += fmt::format("  {:>{}}", row[c], widths[c]);
     lines += "\n";
   }
-  return lines;
+  return more ? lines + fmt::format("  and {} more\n", more) : lines;
 }
 
 }    // namespace TMSPH

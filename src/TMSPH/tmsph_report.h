@@ -43,7 +43,8 @@ std::string heading(const std::string &name, const std::string &unit);
 /// so many digits as tables of the report have
 std::string digits(double value);
 
-/** Words in columns below their headings. */
+/** Words in columns below their headings. Of many rows, those in sequence that agree but for their
+    first word are one, as "3-100", and no more than 20 are shown. */
 class TextTable {
  public:
   explicit TextTable(const std::vector<std::string> &headings) : rows{headings} {}
@@ -52,7 +53,9 @@ class TextTable {
   std::string text() const;
 
  private:
-  std::vector<std::vector<std::string>> rows;
+  using Rows = std::vector<std::vector<std::string>>;
+  Rows together() const;
+  Rows rows;
 };
 
 }    // namespace TMSPH

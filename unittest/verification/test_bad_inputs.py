@@ -428,6 +428,8 @@ CASES = [
     (PLATE, dict(more="compute w all tmsph/wall/local"),
      "tmsph/wall/local|needs a fix tmsph/wall"),
     (PLATE, dict(more="compute w all tmsph/wall/local id"), "tmsph/wall/local|no words|id"),
+    (PLATE, dict(style="atom_style tmsph\ncompute w all tmsph/wall/local"),
+     "tmsph/wall/local before the simulation box"),
     (PLATE, dict(run="tmsph/quasistatic"), "tmsph/quasistatic|missing"),
     (PLATE, dict(run=QUASI + "ten"), "integer|ten"),
     (PLATE, dict(run=QUASI + "-5"), "-5|tmsph/quasistatic|negative"),

@@ -75,6 +75,21 @@ def again(report):
     report.true("the same on 3 processes", str(tables(parallel.log)) == str(tables(alone.log)), "to the digit")
 
 
+def many_types(report):
+    """98 types without particles are one row; 40 that differ are not all shown."""
+    cloud = lattice("square", [40, 8], SPACING)
+    cloud.type[:] = 1 + np.arange(len(cloud)) % 2
+    cloud.type[0] = 100
+    scene = Scene(cloud, [material()] * 100).add("fix rock all tmsph/hoekbrown strength * 150e6 mi * 8\nrun 0")
+    rows = [line.split()[:2] for line in scene.run().log.split("type  particles")[1].split("\n")[1:5]]
+    report.true("100 types, most without particles", rows == [["1", "159"], ["2", "160"], ["3-99", "0"], ["100", "1"]],
+                str(rows))
+    cloud.type[:] = 1 + np.arange(len(cloud)) % 40
+    log = Scene(cloud, [material(40e9 + 1e8 * k) for k in range(40)]).add("run 0").run().log
+    rows = log.split("type  particles")[1].split("\n")
+    report.true("40 types that differ", rows[20].split()[0] == "20" and rows[21] == "  and 20 more", rows[21])
+
+
 def thick(report):
     cloud = lattice("hex", [12, 8], SPACING)
     cloud.volume *= 0.02
@@ -112,6 +127,7 @@ numbers(report, 2)
 numbers(report, 2, " plane stress")
 numbers(report, 3)
 again(report)
+many_types(report)
 thick(report)
 other_units(report)
 report.finish()
