@@ -30,6 +30,13 @@ def stop(text):
     sys.exit(f"tmsph: {text}")
 
 
+def read(path):
+    try:
+        return Path(path).read_text(errors="replace")
+    except OSError as error:
+        stop(f"cannot read {path}: {error.strerror}")
+
+
 # ---- Restart files ----
 
 def restart_step(path):
@@ -62,9 +69,10 @@ def commands(text):
 
 
 def restart_files(lines):
-    """The files that the command restart names: two that take turns, or one for each step."""
+    """The files that the command restart names: two that take turns, or one for each step. Names
+    with variables are in the log, with their values."""
     for line in lines:
-        found = re.search(r"(?:^|\")\s*restart\s+[^\s\"]+\s+([^\s\"]+)(?:\s+([^\s\"]+))?", line)
+        found = re.search(r"(?:^|\")\s*restart\s+[^\s\"]+\s+([^\s\"$]+)(?:\s+([^\s\"$]+))?(?:\s|\"|$)", line)
         if found and found[2]:
             return [Path(found[1]), Path(found[2])]
         if found:
@@ -80,7 +88,8 @@ def newest(files, since):
              if path.exists() and path.stat().st_mtime_ns >= since]
     known = [pair for pair in known if pair[0] is not None]
     if not known:
-        stop("no complete restart file of this run is here: start it anew")
+        stop("no complete restart file of this run is here, as the command restart writes them: start it "
+             "anew")
     step, path = max(known)
     if len(files) == 2 and path == files[0]:
         os.replace(path, files[1])
@@ -91,15 +100,18 @@ def newest(files, since):
 # ---- Dumps, tables, logs ----
 
 def output_files(lines):
-    """Dumps and tables with many steps in one file."""
+    """Dumps and tables with many steps in one file. Those that cannot be cut must not be there, as
+    LAMMPS would write over them."""
     names = set()
     for line in lines:
-        names.update(re.findall(r"(?:^|\")\s*dump\s+\S+\s+\S+\s+(?:custom|local|atom)\s+\S+\s+([^\s\"]+)",
-                                line))
+        for style, name in re.findall(r"(?:^|\")\s*dump\s+\S+\s+\S+\s+(\S+)\s+\S+\s+([^\s\"]+)", line):
+            if style in ("custom", "local", "atom") and not name.endswith((".gz", ".zst", ".bin")):
+                names.add(name)
+            elif "*" not in name and "$" not in name and list(Path().glob(name.replace("%", "*"))):
+                stop(f"{name} would be written over, and it is not a text dump that can be cut: rename it")
         if re.search(r"(?:^|\")\s*fix\s", line):
             names.update(re.findall(r"\s(?:file|append)\s+([^\s\"]+)", line))
-    return [Path(name) for name in sorted(names) if not set(name) & set("*%$") and
-            not name.endswith((".gz", ".zst", ".bin"))]
+    return [Path(name) for name in sorted(names) if not set(name) & set("*%$")]
 
 
 def frames(path):
@@ -200,24 +212,28 @@ def main():
     parser.add_argument("args", nargs=argparse.REMAINDER, help="arguments of lmp")
     given = parser.parse_args()
     lmp = os.environ.get("TMSPH_LMP") or stop("TMSPH_LMP, the path of lmp, is not set")
+    shutil.which(lmp) or stop(f"there is no program {lmp}: TMSPH_LMP is the path of lmp")
     np, args, since = last_arguments(given.input)
     np, args = given.np or np, given.args or args
 
-    text = Path(given.input).read_text()
+    text = read(given.input)
     if "${resume}" not in text:
         stop(f"{given.input} does not tell how to go on: it needs read_restart ${{resume}}, see "
              "doc/output.md")
-    alone = open(f".{given.input}.args", "a")    # locked as long as lmp runs, which inherits it
+    try:
+        alone = open(f".{given.input}.args", "a")    # locked as long as lmp runs, which inherits it
+    except OSError as error:
+        stop(f"cannot write here: {error}")
     try:
         fcntl.flock(alone, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
         stop(f"a run of {given.input} is still going on here")
     log = Path(LOG)
-    lines = commands(text) + (commands(log.read_text()) if log.exists() else [])
+    lines = commands(text) + (commands(read(log)) if log.exists() else [])
     files = output_files(lines) + [log]
     for path in files:
         join(path)
-    step, restart = newest(restart_files(commands(text)), since)
+    step, restart = newest(restart_files(lines), since)
     for path in files:
         set_aside(path, step)
     print(f"tmsph: going on from step {step}, {restart}", file=sys.stderr)

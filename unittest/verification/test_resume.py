@@ -4,6 +4,7 @@ known. Ten kills each: test_resume_long."""
 
 import tempfile
 
+from resume import commands, restart_files
 from resuming import *
 from tmsph_testing import Report
 
@@ -45,8 +46,35 @@ def torn(report, place):
         report.true("restart file of an earlier run", "start it anew" in str(end), "refused")
 
 
+def wrong(report):
+    """What cannot go on says so in one line; names with variables are taken from the log."""
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder)
+        (place / "in.x").write_text("variable n index a\nrestart 5 ${n}.1 ${n}.2\nread_restart ${resume}\n"
+                                    "dump p all xyz 5 x.xyz\n")
+        (place / "in.latin").write_bytes(b"# heated to 260 \xb0C\n")
+        (place / "log.lammps").write_text("restart 5 ${n}.1 ${n}.2\nrestart 5 a.1 a.2\n")
+        lines = commands((place / "in.x").read_text() + (place / "log.lammps").read_text())
+        report.true("restart files named with variables", [str(p) for p in restart_files(lines)] == ["a.1", "a.2"],
+                    "found in the log")
+
+        def refused(name, words, **environment):
+            done = subprocess.run([sys.executable, ROOT / "tools/resume.py", name], cwd=folder, text=True,
+                                  capture_output=True, env=dict(os.environ, **environment))
+            report.true(words, done.returncode == 1 and words in done.stderr and done.stderr.count("\n") == 1,
+                        done.stderr.strip())
+
+        refused("nowhere", "cannot read nowhere")
+        refused("in.latin", "does not tell how to go on")
+        refused("in.x", "there is no program", TMSPH_LMP="/nowhere/lmp")
+        refused("in.x", "no complete restart file")
+        (place / "x.xyz").write_text("")
+        refused("in.x", "x.xyz would be written over")
+
+
 if __name__ == "__main__":
     report = Report()
+    wrong(report)
     killed(report, "disc", "dynamic, 1 rank", DYNAMIC, 1, 3, 30, 1, torn)
     killed(report, "disc", "quasi-static, 2 ranks", QUASISTATIC, 2, 3, 60, 2)
     report.finish()
