@@ -11,9 +11,9 @@ plate, as far as its own edge reaches, is left out. --plot draws the plates, col
 
 The tables and the picture in doc/report/quench.md:
     cd examples/quench
-    ../../tmsph run in.quench -var end 0.2 && mv dump.quench dump.long
+    ../../tmsph run in.quench -var restart 0 -var end 0.2 && mv dump.quench dump.long
     for T in 300 400 500 600; do
-      ../../tmsph run in.quench -var T0 $T && mv dump.quench dump.$T
+      ../../tmsph run in.quench -var restart 0 -var T0 $T && mv dump.quench dump.$T
     done
     ../../tools/crack_spacing.py --plot ../../doc/images/quench.png "300 C, 50 ms"=dump.300 \\
         "300 C, 200 ms"=dump.long "400 C, 50 ms"=dump.400 "600 C, 50 ms"=dump.600
