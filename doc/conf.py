@@ -28,8 +28,10 @@ class InputLexer(RegexLexer):
     """LAMMPS inputs: a command, then its words."""
 
     name, aliases = "LAMMPS", ["LAMMPS", "lammps"]
-    tokens = {"root": [(r"#.*", Comment), (r"^[ \t]*[\w/]+", Keyword), (r"\$\{\w+\}|\$\(.*?\)", Name.Variable),
-                       (r"'[^'\n]*'|\"[^\"\n]*\"", String), (r"&\n", Text), (r"[^#$'\"&\n]+|\n|.", Text)]}
+    tokens = {"root": [(r"#.*", Comment), (r"^[ \t]*[\w/]+", Keyword),
+                       (r"\$\{\w+\}|\$\(.*?\)", Name.Variable),
+                       (r"'[^'\n]*'|\"[^\"\n]*\"", String), (r"&\n", Text),
+                       (r"[^#$'\"&\n]+|\n|.", Text)]}
 
 
 def lammps_page(app, env, node, contnode):
@@ -50,14 +52,14 @@ def link_to_checkout(app, page, text):
     folder = Path(app.env.doc2path(page)).parent
 
     def linked(found):
-        target, _, section = found[1].partition("#")
+        target = found[2].partition("#")[0]
         path = (folder / target).resolve()
         inside = DOC in path.parents and path.suffix in (".md", ".rst", ".png")
         if not target or "://" in target or inside or not path.exists():
             return found[0]
-        return f"]({path.as_uri()}{'#' + section if section else ''})"
+        return f'<a href="{path.as_uri()}">{found[1]}</a>'    # Markdown refuses links to files
 
-    text[0] = re.sub(r"\]\(([^)\s]+)\)", linked, text[0])
+    text[0] = re.sub(r"(?<!!)\[([^][]*)\]\(([^)\s]+)\)", linked, text[0])
 
 
 def setup(app):

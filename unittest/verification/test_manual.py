@@ -1,6 +1,6 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Sphinx builds the manual without a warning, every reference resolved; and it does tell of one that
-leads nowhere, to a page of ours, of LAMMPS's manual or a file."""
+"""Sphinx builds the manual without a warning, every reference resolved; and it does tell of one
+that leads nowhere, to a page of ours, of LAMMPS's manual or a file."""
 
 import os
 import shutil
@@ -16,8 +16,8 @@ DOC = Path(__file__).resolve().parents[2] / "doc"
 
 
 def warnings(source, target):
-    done = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-n", source, target], text=True,
-                          capture_output=True)
+    done = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-n", source, target],
+                          text=True, capture_output=True)
     return done.returncode, done.stderr
 
 
@@ -31,14 +31,20 @@ with tempfile.TemporaryDirectory() as folder:
     page = Path(folder, "html/src/tmsph_quasistatic.html").read_text()
     report.true("LAMMPS's manual", "https://docs.lammps.org/run.html" in page, "run is linked to")
 
+    page = Path(folder, "html/tutorial.html").read_text()
+    report.true("files of the package", 'README.md">Build</a>' in page and "](" not in page,
+                "are linked to")
+
     source = Path(folder, "doc")
     shutil.copytree(DOC, source, ignore=shutil.ignore_patterns("report"))
     (source / "settings.md").write_text("# A\n\n[b](nowhere.md)\n")
     (source / "output.md").write_text("# B\n\n[c](../nowhere.py)\n")
-    (source / "src/tmsph_cut.rst").write_text("C\n=\n\n:doc:`d <fix_tmsph_nothing>` :doc:`e <runn>`\n")
+    (source / "src/tmsph_cut.rst").write_text(
+        "C\n=\n\n:doc:`d <fix_tmsph_nothing>` :doc:`e <runn>`\n")
     said = warnings(source, f"{folder}/bad")[1]
     names = ["nowhere.md", "nowhere.py", "fix_tmsph_nothing"]
-    names += ["runn"] if Path(os.environ.get("LAMMPS_SOURCE_DIR", "/none"), "doc/src").is_dir() else []
+    tree = Path(os.environ.get("LAMMPS_SOURCE_DIR", "/none"))
+    names += ["runn"] if (tree / "doc/src").is_dir() else []
     for name in names:
         report.true(f"a link to {name}", f"{name}" in said, "is told")
 report.finish()
