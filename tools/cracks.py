@@ -5,7 +5,7 @@
 usage: cracks.py EVENTS [options]
 
 EVENTS is what 'write_dump all local events.txt index f_ID[*]' or a 'dump local' writes, the columns
-named or not; of a dump with several frames the last is taken. Written are, with the default --out cracks:
+named or not; of a dump with several frames the last is taken. Written are, beside EVENTS:
   cracks.rose.csv, .png        events per direction of the crack, tension and shear apart
   cracks.dip.csv               the same of the dips, in 3-D
   cracks.events.csv, .png      all events in their order, with cumulative number and energy
@@ -22,7 +22,7 @@ options:
   --bins N            bins of the rose over 180 degrees (default 18)
   --radius R          distance within which events tell the direction of a crack
                       (default: 4 spacings of the particles, which follow from the events)
-  --out PREFIX        (default cracks)
+  --out PREFIX        (default cracks, in the folder of EVENTS)
 
 The direction of a crack at an event is the longest axis of the cloud of events around it, in 3-D
 the strike and dip of its plane. An event alone counts with the direction normal to its bond. Where
@@ -39,6 +39,7 @@ The picture in doc/output.md:
 import argparse
 import re
 import sys
+from pathlib import Path
 
 import numpy as np
 
@@ -189,7 +190,8 @@ def crack_length(arguments):
     for pair in pairs:
         T, area = (name if name in columns else bare.get(name) for name in pair)
         if T and area:
-            units = [lammps_files.UNITS.get(lammps_files.quantity(name)[1], "") for name in (T, area)]
+            units = [lammps_files.UNITS.get(lammps_files.quantity(name)[1], "")
+                     for name in (T, area)]
             return columns[T], columns[area] / arguments.thickness, units
     stop(f"{path} has the columns {' '.join(columns)}: say with --columns which of them are "
          "temperature and crack area")
@@ -210,7 +212,7 @@ def main(words):
     parser.add_argument("--against", choices=("temperature", "time", "step"), default="temperature")
     parser.add_argument("--bins", type=int, default=18)
     parser.add_argument("--radius", type=float)
-    parser.add_argument("--out", default="cracks")
+    parser.add_argument("--out")
     parser.add_argument("-h", "--help", action="store_true")
     arguments = parser.parse_args(words)
     if arguments.help or not arguments.events:
@@ -221,6 +223,7 @@ def main(words):
         stop("--thickness and --radius must be above 0")
     if arguments.curve and arguments.log:
         stop("give --curve or --log, not both")
+    arguments.out = arguments.out or str(Path(arguments.events).parent / "cracks")
 
     events = Events(arguments.events)
     if len(events) == 0:
