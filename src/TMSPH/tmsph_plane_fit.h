@@ -44,8 +44,9 @@ template <int D> struct Moments {
 /** Cosine of the angle between the normal of a plane and a line across it, at least. Two particles
     that have both parted from a third have the middles of these pairs on a line parallel to their
     own: the plane through those does not lie between them, and only round-off would tell on which
-    side of it one of them is. */
-constexpr double ACROSS = 0.1;
+    side of it one of them is. Of pairs that look along a face of a lattice it is small, some 0.05,
+    but far from round-off: to take the line between them for the normal would jam the face. */
+constexpr double ACROSS = 1.0e-6;
 
 /** Normal of the plane that fits the points best (least squares of the distances), and the mean of
     the points.
