@@ -11,6 +11,9 @@
 #include "modify.h"
 #include "update.h"
 
+#include <algorithm>
+#include <cstring>
+
 using namespace LAMMPS_NS;
 
 /* ---------------------------------------------------------------------- */
@@ -42,8 +45,11 @@ void ComputeTMSPHWallLocal::compute_local()
   invoked_local = update->ntimestep;
   values.clear();
   double wall = 0.0;
+  auto walls = modify->get_fix_by_style("^tmsph/wall$");
+  std::sort(walls.begin(), walls.end(),
+            [](const Fix *a, const Fix *b) { return strcmp(a->id, b->id) < 0; });
   if (comm->me == 0)
-    for (Fix *fix : modify->get_fix_by_style("^tmsph/wall$")) {
+    for (Fix *fix : walls) {
       wall += 1.0;
       for (const auto &piece : dynamic_cast<FixTMSPHWall *>(fix)->pieces()) {
         values.push_back(wall);

@@ -162,7 +162,6 @@ void FixTMSPHContact::init()
                  name);
     regions.push_back(region);
   }
-  TMSPHLastForce::refuse_later_forces(lmp, this);
 }
 
 /* ----------------------------------------------------------------------

@@ -284,7 +284,6 @@ void FixTMSPHWall::init()
   }
   version = -1;
   find_periods();
-  TMSPHLastForce::refuse_later_forces(lmp, this);
 }
 
 /* ----------------------------------------------------------------------

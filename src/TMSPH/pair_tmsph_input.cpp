@@ -15,6 +15,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "tmsph_last_force.h"
 #include "tmsph_restart.h"
 #include "update.h"
 
@@ -304,6 +305,7 @@ void PairTMSPH::init_style()
     check_reach();
     complete_particles();
   }
+  TMSPHLastForce::put_last(lmp);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -2,8 +2,9 @@
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
    What forces that predict the step from all others have in common: they act
-   last, and a continued run takes those of its last step again, since at a
-   setup velocities are those of the full step and not of half a step before.
+   last, wherever the input defines them, and a continued run takes those of its
+   last step again, since at a setup velocities are those of the full step and
+   not of half a step before.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_TMSPH_LAST_FORCE_H
@@ -19,12 +20,12 @@
 
 namespace LAMMPS_NS {
 
-class Fix;
-
 namespace TMSPHLastForce {
 
-  /// an error if a fix defined after this one adds forces, unless it is of this package
-  void refuse_later_forces(class LAMMPS *, const Fix *);
+  /** Puts fixes that predict the step behind all others that act on forces, before LAMMPS lists
+      which fix acts when: contact, then walls by their ids, then those that only act at the end of
+      steps, which may look at the former. All others stay in the order of the input. */
+  void put_last(class LAMMPS *);
 
   /** Of a particle, the same in a run and after LAMMPS has put it back into the box, by the
       operations of Domain::pbc(). */

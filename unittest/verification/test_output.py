@@ -136,7 +136,7 @@ def walls():
         frame = run.frame("walls")
         rows = frame(" ".join(f"c_w[{k}]" for k in range(1, 8)))
         y = -0.01 + 100 * 1e-6
-        right = [[1, -0.1, y, 0, 0.1, y, 0], [2, -0.1, -0.05, 0, 0, -0.03, 0], [2, 0, -0.03, 0, 0.1, -0.05, 0]]
+        right = [[1, -0.1, -0.05, 0, 0, -0.03, 0], [1, 0, -0.03, 0, 0.1, -0.05, 0], [2, -0.1, y, 0, 0.1, y, 0]]
         report.true(f"walls in 2-D, {ranks} ranks", np.allclose(rows, right, rtol=0, atol=1e-9),
                     f"{len(rows)} lines")
         pictures = [run.kept[name] for name in ("low.ppm", "bent.ppm", "none.ppm")]
