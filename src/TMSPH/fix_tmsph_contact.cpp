@@ -139,7 +139,9 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     row[Row::BEARS] = pair->bears_stress<D>(m.i);
     row[Row::COMPLIANCE] = 0.0;
   }
+  velocities_sent = dt > 0.0 && pair->box().carries_velocities() ? Row::V : -1;
   send(0, Row::COMPLIANCE);
+  velocities_sent = -1;
 
   const Kernel kernel = pair->kernel_of_bonds();
   const bool expands = pair->expands();
@@ -344,10 +346,13 @@ void FixTMSPHContact::send(int first, int count)
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHContact::pack_forward_comm(int n, int *list, double *buf, int, int *)
+int FixTMSPHContact::pack_forward_comm(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
   for (int i = 0; i < n; i++)
-    buf = std::copy_n(rows.data() + (size_t) width * list[i] + sent_first, sent_count, buf);
+    std::copy_n(rows.data() + (size_t) width * list[i] + sent_first, sent_count,
+                buf + (size_t) sent_count * i);
+  if (velocities_sent >= 0 && pbc_flag)
+    pair->box().add_rate(pbc, n, list, buf + velocities_sent, sent_count);
   return n * sent_count;
 }
 

@@ -249,6 +249,7 @@ class FixTMSPHContact : public Fix,
 
   std::vector<double> rows;                  // [nlocal+nghost][width], sent to ghosts
   int width, sent_first, sent_count;
+  int velocities_sent;                       // where they begin in the columns sent, or -1
 
   enum { FORCE = 0, TORQUE = 3, WORK = 6, TOUCHING, DEEPEST, NORMAL, NTOTALS };
   double totals[NTOTALS];                    // of this processor

@@ -38,7 +38,7 @@ FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
     records_behind(false), any_pairs(false), resumed(false), version(-1), removals(0),
     distance_checked(false), sides_checked(false), surfaces_version(-1), surfaces_removals(0),
     last_search(0), next_search(0), search_dt(0.0), width(0), sent_first(0), sent_count(0),
-    totals{}, energy(0.0)
+    velocities_sent(-1), totals{}, energy(0.0)
 {
   friction.assign(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0));
   parse(narg, arg);

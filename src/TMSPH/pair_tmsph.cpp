@@ -45,6 +45,7 @@ template <int D> void PairTMSPH::evaluate()
 {
   const int nlocal = atom->nlocal;
   if (prepared_version != bond_fix->layout_version()) prepare<D>();
+  the_box.meet_forces();
   update_kinematics<D>();
   if (on.viscosity) update_velocities<D>();
 
@@ -227,6 +228,7 @@ template <int D> void PairTMSPH::update_velocities()
     std::copy_n(v, D, force_row.data() + (size_t) i * R::FORCE + R::V);
   }
   stepped = !minimizing;
+  box_moves = stepped && the_box.carries_velocities();
 }
 
 /* ---------------------------------------------------------------------- */

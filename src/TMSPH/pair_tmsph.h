@@ -16,6 +16,7 @@ PairStyle(tmsph,PairTMSPH);
 
 #include "fix_tmsph_bond.h"
 #include "pair.h"
+#include "tmsph_box.h"
 #include "tmsph_dilatation.h"
 #include "tmsph_elastic.h"
 #include "tmsph_interface.h"
@@ -163,9 +164,11 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   bool warned() const { return !warnings.empty(); }
   unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
-  /** For outputs between runs, when much may have changed (collective).
+  TMSPHBox &box() { return the_box; }
+  /** For outputs, also between runs, when much may have changed (collective).
       @param who to be named in an error
-      @return    the present pair style, whose bonds are laid out; else an error */
+      @return    the present pair style, whose bonds are laid out and whose ghosts are where their
+                 owners are; else an error */
   static PairTMSPH *laid_out(class LAMMPS *lmp, const std::string &who);
 
   /** Own-side Cauchy stress and displacement gradient of the local particles in their present
@@ -216,6 +219,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   std::set<std::string> warnings, told;           // that were given
 
   bool stepped;                                   // the rows hold the velocities of a step or setup
+  bool box_moves;                                 // and those of ghosts need the rate of the box
+  TMSPHBox the_box;
   int prepared_version;                           // layout that the arrays below belong to
   std::vector<double> kinematic, force_row;       // [nlocal+nghost][Rows::...]
   std::vector<double> stress, gradient;

@@ -76,11 +76,14 @@ std::pair<double *, int> PairTMSPH::rows_to_send()
 
 /* ---------------------------------------------------------------------- */
 
-int PairTMSPH::pack_forward_comm(int n, int *list, double *buf, int /*pbc_flag*/, int * /*pbc*/)
+int PairTMSPH::pack_forward_comm(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
   const auto [rows, stride] = rows_to_send();
   for (int i = 0; i < n; i++)
-    buf = std::copy_n(rows + (size_t) stride * list[i], comm_forward, buf);
+    std::copy_n(rows + (size_t) stride * list[i], comm_forward, buf + (size_t) comm_forward * i);
+  if (what_to_send == FORCE_ROWS && box_moves && pbc_flag)
+    the_box.add_rate(pbc, n, list, buf + (domain->dimension == 2 ? Rows<2>::V : Rows<3>::V),
+                     comm_forward);
   return n * comm_forward;
 }
 

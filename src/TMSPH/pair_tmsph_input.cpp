@@ -39,8 +39,9 @@ PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     bond_fix(nullptr), break_test(nullptr), contact(nullptr), contact_serves_heat(false),
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0),
     mass_at_estimate(0.0), stiffness_at_estimate(0.0), stable_dt(0.0), intact_dt(0.0),
-    reported(false), reported_timestep(false), stepped(false), prepared_version(-1), border_version(-1),
-    averaging(false), coupling(false), what_to_send(FORCE_ROWS)
+    reported(false), reported_timestep(false), stepped(false), box_moves(false), the_box(lmp),
+    prepared_version(-1), border_version(-1), averaging(false), coupling(false),
+    what_to_send(FORCE_ROWS)
 {
   single_enable = 0;
   writedata = 0;
@@ -305,6 +306,7 @@ void PairTMSPH::init_style()
     check_reach();
     complete_particles();
   }
+  the_box.init();
   TMSPHLastForce::put_last(lmp);
 }
 

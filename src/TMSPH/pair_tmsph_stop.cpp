@@ -81,5 +81,6 @@ PairTMSPH *PairTMSPH::laid_out(LAMMPS *lmp, const std::string &who)
   if (!pair->bond_fix || !pair->bond_fix->formed())
     lmp->error->all(FLERR, "{} before the bonds formed: do a run first", who);
   pair->bond_fix->need_layout(who);
+  pair->the_box.meet_output();
   return pair;
 }

@@ -1,0 +1,82 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Ghosts while a fix changes the box.
+------------------------------------------------------------------------- */
+
+#include "tmsph_box.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "fix.h"
+#include "modify.h"
+#include "update.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHBox::init()
+{
+  changes = false;
+  for (const auto &fix : modify->get_fix_list())
+    changes = changes || (fix->box_change & ~Fix::BOX_CHANGE_DOMAIN);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool TMSPHBox::carries_velocities() const
+{
+  return changes && domain->deform_vremap;
+}
+
+/* ----------------------------------------------------------------------
+   LAMMPS knows the rate from the start of a run only if it is constant, and not at all in a run of
+   no steps: the last one is the best guess then
+------------------------------------------------------------------------- */
+
+void TMSPHBox::meet_forces()
+{
+  if (!carries_velocities()) return;
+  const bool in_step = update->whichflag == 1 && !update->setupflag;
+  const double *now = domain->h_rate;
+  if (in_step || now[0] != 0.0 || now[1] != 0.0 || now[2] != 0.0) std::copy_n(now, 3, rate);
+  if (!in_step || !std::equal(size, size + 3, domain->prd)) age = 0.0;
+  std::copy_n(domain->prd, 3, size);
+  if (!in_step) return;
+  age += update->dt;
+  move_ghosts(age);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHBox::meet_output()
+{
+  if (!changes) return;
+  const bool behind = carries_velocities() && std::equal(size, size + 3, domain->prd);
+  move_ghosts(behind ? age : 0.0);
+}
+
+/* ----------------------------------------------------------------------
+   into the images of a box as it will be after a time
+------------------------------------------------------------------------- */
+
+void TMSPHBox::move_ghosts(double ahead)
+{
+  double *const length[3] = {&domain->xprd, &domain->yprd, &domain->zprd};
+  for (int k = 0; k < 3; k++) *length[k] = domain->prd[k] + ahead * rate[k];
+  comm->forward_comm();
+  for (int k = 0; k < 3; k++) *length[k] = domain->prd[k];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHBox::add_rate(const int *pbc, int n, const int *list, double *v, int stride) const
+{
+  for (int i = 0; i < n; i++, v += stride)
+    if (atom->mask[list[i]] & domain->deform_groupbit)
+      for (int k = 0; k < domain->dimension; k++) v[k] += pbc[k] * rate[k];
+}
