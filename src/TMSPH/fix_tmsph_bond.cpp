@@ -40,7 +40,7 @@ FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     faced(false), maxpartner(1), npartner(nullptr), partner(nullptr), state(nullptr),
     own_tag(nullptr), first_tag(nullptr), lag(nullptr), horizon(0.0), kappa(0.0),
     thickness(1.0), period{0.0, 0.0, 0.0}, corner{0.0, 0.0, 0.0},
-    natoms_at_setup(0), version(0), nremoved(0),
+    particles(0), volume(NAN), version(0), nremoved(0),
     what_to_send(REFERENCE)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
@@ -122,16 +122,17 @@ void FixTMSPHBond::setup_post_neighbor()
   if (fresh)
     form();
   else {
-    refuse_strangers();
-    follow_ids();
+    if (!follow_ids()) follow_losses();
+    refuse_other_volumes();
+    refuse_bonds_without();
   }
+  take_stock();
   send_references();
   lay_out();
   if (fresh) {
     kappa = largest_kappa();
     thickness = find_thickness();
   }
-  natoms_at_setup = atom->natoms;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -154,7 +155,7 @@ void FixTMSPHBond::min_setup(int /*vflag*/)
 
 void FixTMSPHBond::post_neighbor()
 {
-  refuse_strangers();
+  follow_losses();
   send_references();
   lay_out();
 }
@@ -244,7 +245,6 @@ void FixTMSPHBond::form()
   }
   release_list();
   bonds_formed = true;
-  natoms_at_setup = atom->natoms;
   check_families();
 }
 

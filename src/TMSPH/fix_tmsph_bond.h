@@ -175,7 +175,8 @@ class FixTMSPHBond : public Fix {
   double thickness;
   double period[3];             // reference box lengths in periodic directions, else 0
   double corner[3];             // and where that box begins
-  bigint natoms_at_setup;
+  bigint particles;             // on all processors, when they were counted last
+  double volume;                // of all of them; NaN: not known yet
   int version, nremoved;
 
   std::vector<double> xref;     // [nlocal+nghost][3]
@@ -186,8 +187,14 @@ class FixTMSPHBond : public Fix {
   void form();
   void release_list();
   void refuse_equal_ids() const;
-  void refuse_strangers() const;
-  void follow_ids();
+  bigint count_particles() const;
+  void take_stock();
+  void follow_losses();
+  bool follow_ids();
+  void forget_missing();
+  void refuse_other_volumes() const;
+  void refuse_bonds_without() const;
+  double total_volume() const;
   void refuse_new_ids() const;
   void send_references();
   void lay_out();

@@ -11,9 +11,14 @@
 #include "comm.h"
 #include "error.h"
 #include "modify.h"
+#include "output.h"
+#include "thermo.h"
+#include "tmsph_collective.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 #include <vector>
 
@@ -50,19 +55,133 @@ void FixTMSPHBond::refuse_equal_ids() const
 }
 
 /* ----------------------------------------------------------------------
-   particles that came after the others had formed their bonds
+   on all processors; none may have come after the others had formed their bonds
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::refuse_strangers() const
+bigint FixTMSPHBond::count_particles() const
 {
-  bigint strangers = 0, all;
-  for (int i = 0; i < atom->nlocal; i++) strangers += own_tag[i] == 0;
-  MPI_Allreduce(&strangers, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  if (all)
+  bigint mine[2] = {atom->nlocal, 0}, all[2];
+  for (int i = 0; i < atom->nlocal; i++) mine[1] += own_tag[i] == 0;
+  MPI_Allreduce(mine, all, 2, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all[1])
     error->all(FLERR,
                "{} particles were created after the bonds had formed: create all particles before "
                "the first run, or 'clear' and start anew",
-               all);
+               all[1]);
+  return all[0];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::take_stock()
+{
+  particles = count_particles();
+  volume = total_volume();
+}
+
+/* ----------------------------------------------------------------------
+   Particles that leave a box with fixed boundaries are lost. LAMMPS notices when it writes
+   thermodynamic output; the bonds must know at once. Between runs some may have been deleted.
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::follow_losses()
+{
+  const bigint present = count_particles();
+  if (present == particles) return;
+  if (present < atom->natoms && output->thermo->lostflag == Thermo::ERROR)
+    error->all(FLERR,
+               "Lost atoms: original {} current {}: they left the box before step {}; enlarge it, "
+               "or go on without them by 'thermo_modify lost ignore'",
+               atom->natoms, present, update->ntimestep);
+  forget_missing();
+  take_stock();
+}
+
+/* ----------------------------------------------------------------------
+   Bonds to particles that are nowhere any more are forgotten, broken ones too. Those that are
+   only out of reach are known to some processor.
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::forget_missing()
+{
+  const auto unique = [](std::vector<tagint> &ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  };
+  std::vector<tagint> mine;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < npartner[i]; k++)
+      if (atom->map(partner[i][k]) < 0) mine.push_back(partner[i][k]);
+  unique(mine);
+  int count = mine.size();
+  std::vector<int> counts(comm->nprocs), first(comm->nprocs + 1, 0);
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  std::partial_sum(counts.begin(), counts.end(), first.begin() + 1);
+  std::vector<tagint> asked(first.back());
+  MPI_Allgatherv(mine.data(), count, MPI_LMP_TAGINT, asked.data(), counts.data(), first.data(),
+                 MPI_LMP_TAGINT, world);
+  unique(asked);
+  std::vector<int> here(asked.size()), anywhere(asked.size());
+  for (size_t n = 0; n < asked.size(); n++) {
+    const int i = atom->map(asked[n]);
+    here[n] = i >= 0 && i < atom->nlocal;
+  }
+  MPI_Allreduce(here.data(), anywhere.data(), here.size(), MPI_INT, MPI_MAX, world);
+  const auto gone = [&](tagint id) {
+    const auto found = std::lower_bound(asked.begin(), asked.end(), id);
+    return found != asked.end() && *found == id && !anywhere[found - asked.begin()];
+  };
+  for (int i = 0; i < atom->nlocal; i++) {
+    int kept = 0;
+    for (int k = 0; k < npartner[i]; k++) {
+      if (gone(partner[i][k])) continue;
+      partner[i][kept] = partner[i][k];
+      state[i][kept++] = state[i][k];
+    }
+    npartner[i] = kept;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   the weights of the bonds and what is measured in those of the interior belong to the volumes
+   with which they formed
+------------------------------------------------------------------------- */
+
+double FixTMSPHBond::total_volume() const
+{
+  const std::vector<double> volumes(atom->vfrac, atom->vfrac + atom->nlocal);
+  return TMSPH::fixed_point_sum(volumes, world);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_other_volumes() const
+{
+  constexpr double AGREE = 1.0e-12;
+  if (count_particles() != particles) return;    // some were deleted
+  const double now = total_volume();
+  if (std::fabs(now - volume) > AGREE * volume)    // not where that is unknown
+    error->all(FLERR,
+               "The volumes of the particles add up to {:.8g}, and to {:.8g} in the last run: 'set "
+               "volume' before the first run, with which the bonds form, or 'clear' and start anew",
+               now, volume);
+}
+
+/* ----------------------------------------------------------------------
+   which types are bonded is asked only when the bonds form
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_bonds_without() const
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < npartner[i]; k++) {
+      const int j = atom->map(partner[i][k]);
+      if (state[i][k] == INTACT && j >= 0 && !user->bonded(atom->type[i], atom->type[j]))
+        error->one(FLERR,
+                   "Particles {} and {} are bonded, and 'pair_coeff {} {} none' came later, or "
+                   "'set type': bonds form at the first run; later tmsph/cut removes them",
+                   atom->tag[i], partner[i][k], atom->type[i], atom->type[j]);
+    }
 }
 
 /* ----------------------------------------------------------------------
@@ -88,19 +207,20 @@ void FixTMSPHBond::refuse_new_ids() const
 
 /* ----------------------------------------------------------------------
    reset_atoms id and delete_atoms with compression give particles new ids:
-   follow them, as long as the partners are still within reach. The bonds of
-   deleted particles are forgotten.
+   follow them, as long as the partners are still within reach. Bonds whose
+   partners are not found are forgotten: they were deleted.
+   @return false if all ids are the same
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::follow_ids()
+bool FixTMSPHBond::follow_ids()
 {
+  count_particles();    // new ones have no ids yet
   const int nlocal = atom->nlocal;
   int other = 0, renamed;
   for (int i = 0; i < nlocal; i++) other |= own_tag[i] != atom->tag[i];
   MPI_Allreduce(&other, &renamed, 1, MPI_INT, MPI_MAX, world);
-  const bool deleted = atom->natoms < natoms_at_setup;
-  if (!renamed && !deleted) return;
-  if (renamed) refuse_new_ids();
+  if (!renamed) return false;
+  refuse_new_ids();
 
   former_tag.assign(own_tag, own_tag + nlocal);
   former_tag.resize(nlocal + atom->nghost);
@@ -113,10 +233,7 @@ void FixTMSPHBond::follow_ids()
     std::vector<std::pair<tagint, unsigned char>> kept;
     for (int k = 0; k < npartner[i]; k++) {
       const auto found = present.find(partner[i][k]);
-      if (found != present.end())
-        kept.emplace_back(found->second, state[i][k]);
-      else if (!renamed && state[i][k] != INTACT)
-        kept.emplace_back(partner[i][k], state[i][k]);    // not deleted, perhaps: out of reach
+      if (found != present.end()) kept.emplace_back(found->second, state[i][k]);
     }
     std::sort(kept.begin(), kept.end());
     npartner[i] = kept.size();
@@ -127,6 +244,7 @@ void FixTMSPHBond::follow_ids()
     own_tag[i] = atom->tag[i];
   }
   former_tag.clear();
+  return true;
 }
 
 /* ----------------------------------------------------------------------

@@ -192,7 +192,7 @@ void FixTMSPHBond::restart(char *buf)
   horizon = list[13];
   type_horizons.assign(list.begin() + 13, list.end());
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
-  natoms_at_setup = atom->natoms;
+  particles = atom->natoms;
 }
 
 /* ---------------------------------------------------------------------- */

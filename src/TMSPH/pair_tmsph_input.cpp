@@ -302,10 +302,8 @@ void PairTMSPH::init_style()
   if (!bond_fix)
     bond_fix = dynamic_cast<FixTMSPHBond *>(
         modify->add_fix(fmt::format("{} all tmsph/bond", FixTMSPHBond::ID)));
-  if (!bond_fix->formed()) {
-    check_reach();
-    complete_particles();
-  }
+  if (!bond_fix->formed()) check_reach();
+  complete_particles();
   the_box.init();
   TMSPHLastForce::put_last(lmp);
 }
@@ -338,9 +336,10 @@ std::string PairTMSPH::features() const
 }
 
 /* ----------------------------------------------------------------------
-   density times volume is the mass; a mass that was given must agree.
-   A temperature that was not given is the reference temperature. Before the
-   fixes are initialized: some of LAMMPS's take the masses there.
+   density times volume is the mass; a mass that was given must agree, at the
+   start of each run: 'set' and pair_coeff may have changed them. A temperature
+   that was not given is the reference temperature. Before the fixes are
+   initialized: some of LAMMPS's take the masses there.
 ------------------------------------------------------------------------- */
 
 void PairTMSPH::complete_particles()
@@ -353,17 +352,22 @@ void PairTMSPH::complete_particles()
       error->one(FLERR,
                  "Particle {} has volume {}: give reference volumes with 'set group all volume V'",
                  atom->tag[i], volume);
-    if (std::isnan(atom->temperature[i])) atom->temperature[i] = m.reference_temperature;
+    if (std::isnan(atom->temperature[i]) && !bond_fix->formed())
+      atom->temperature[i] = m.reference_temperature;
     const double mass = m.density * volume;
     if (atom->rmass[i] == 0.0)
       atom->rmass[i] = mass;
     else if (!(std::fabs(atom->rmass[i] - mass) <= AGREE * mass))
       error->one(FLERR,
-                 "Particle {} has mass {:.8g}, but density {:.8g} times volume {:.8g} is {:.8g}: "
-                 "correct one of them, or leave the mass out",
-                 atom->tag[i], atom->rmass[i], m.density, volume, mass);
+                 "Particle {} of type {} has mass {:.8g}, but density {:.8g} times volume {:.8g} "
+                 "is {:.8g}: {}",
+                 atom->tag[i], atom->type[i], atom->rmass[i], m.density, volume, mass,
+                 bond_fix->formed()
+                     ? "with 'set type', 'set mass' or another density in pair_coeff after the "
+                       "first run change the others too; volumes stay"
+                     : "correct one of them, or leave the mass out");
     const double *v = atom->v[i];
-    if (!std::isfinite(v[0] + v[1] + v[2]))
+    if (!bond_fix->formed() && !std::isfinite(v[0] + v[1] + v[2]))
       error->one(FLERR,
                  "Particle {} has a velocity that is not a number: before the first run it has no "
                  "mass yet, so give 'run 0' before 'velocity ... create'",

@@ -148,9 +148,9 @@ CASES = [
     (PLATE, dict(NO_BOX,  files=DATA.format("1e-6", "1")), "Particle 1|mass 1|leave the mass out"),
     (PERIODIC, dict(box=PLATE["box"].replace("8e-3", "5e-3")), "length 0.005 in x|two horizons|enlarge"),
     (PLATE, dict(more="timestep 1e-6"), "time step 1e-06|stable one|timestep"),
-    (PLATE, dict(more="timestep 9e-8", after="set group all mass 2.7e-5\n"
-          "pair_coeff * * elastic 40e9 0.3 density 27\nrun 1"),
-     "time step 9e-08|above the stable one|timestep"),
+    (PLATE, dict(more="timestep 2e-7", after="set group all mass 2.7e-4\n"
+          "pair_coeff * * elastic 40e9 0.3 density 270\nrun 1"),
+     "time step 2e-07|above the stable one|timestep"),
     (PLATE, dict(after="create_atoms 1 single 2.5e-3 2.5e-3 0 units box\nset group all volume 1e-6\nrun 1"),
      "1 particles were created after|before the first run"),
     (PLATE, dict(more="region in block 5e-3 7e-3 5e-3 7e-3 -1e-4 1e-4 units box\n"

@@ -182,7 +182,52 @@ def without_setup(report):
                     rest.thermo(name)[-1] == whole.thermo(name)[-1], "as in one run")
 
 
+MIDRUN = (
+    ("set group all volume 2e-6", "mass|volume|density"),
+    ("set group all mass 5.4e-3", "mass|volume|set mass"),
+    ("set group all type 2", "of type 2|mass|density|set type"),
+    ("pair_coeff 1 1 elastic 40e9 0.3 density 5400", "mass|density|pair_coeff"),
+    ("set group all volume 2e-6\nset group all mass 5.4e-3", "set volume|before the first run"),
+    ("pair_coeff 1 3 none", "none' came later|tmsph/cut"))
+
+STARTS = ("run 0", "run 1", "minimize 0 0 1 1", "tmsph/quasistatic 1")
+
+
+def stretched():
+    """A block of type 1 with some of type 3, stretched after a first run; type 2 is denser and stiffer."""
+    cloud = lattice("square", (8, 6), SPACING)
+    cloud.type[cloud.X[:, 1] > 3e-3] = 3
+    materials = [material(), material(80e9, density=5400), material()]
+    scene = Scene(cloud, materials).add("fix 1 all nve\ntimestep 1e-8\nrun 0\nvariable X atom x*1.001\n"
+                                        "set group all x v_X")
+    return scene
+
+
+def matter(report):
+    """What set and pair_coeff change after the first run agrees at the start of the next one, or is refused."""
+    for change, words in MIDRUN:
+        for start in STARTS:
+            run = stretched().add(f"{change}\n{start}").run(may_fail=True)
+            error = next((line for line in run.log.splitlines() if line.startswith("ERROR")), "")
+            report.true(f"{change.splitlines()[-1]}, then {start}",
+                        all(word in error for word in words.split("|")), "an error that names it")
+    kept = stretched().add("run 0\nwrite_restart r").run(keep="r").kept
+    for change, words in MIDRUN[:4]:
+        run = Script(f"read_restart r\nfix 1 all nve\n{change}\nrun 0", kept).run(may_fail=True)
+        report.true(f"{change} after a restart", run.failed and "has mass" in run.log, "an error")
+    for words in ("", " compress no"):
+        run = stretched().add("region some block INF 1.5e-3 INF INF INF INF units box\n"
+                              f"delete_atoms region some{words}\nrun 0").run(may_fail=True)
+        report.true(f"delete_atoms{words}", not run.failed, "goes on")
+    scene = stretched().thermo("step pe").add("run 0\nset group all type 2 mass 5.4e-3\nrun 0\n"
+                                              "pair_coeff 2 2 elastic 40e9 0.3 density 5400\nrun 0")
+    energies = [table["PotEng"][-1] for table in scene.run().tables[1:]]
+    report.below("energy with a stiffer type and its mass", abs(energies[1] / energies[0] - 2), 1e-12)
+    report.below("energy with other elastic constants", abs(energies[2] / energies[0] - 1), 1e-12)
+
+
 report = Report()
+matter(report)
 forget_contact(report)
 meet_after_reset(report)
 leave_the_group(report)
