@@ -76,7 +76,7 @@ FixTMSPHBond::~FixTMSPHBond()
 
 int FixTMSPHBond::setmask()
 {
-  return POST_NEIGHBOR | MIN_POST_NEIGHBOR;
+  return PRE_EXCHANGE | POST_NEIGHBOR | MIN_POST_NEIGHBOR;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -149,6 +149,13 @@ void FixTMSPHBond::min_setup(int /*vflag*/)
 {
   user->run_begins();
   memory->destroy(lag);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHBond::pre_exchange()
+{
+  user->exchange_comes();
 }
 
 /* ---------------------------------------------------------------------- */

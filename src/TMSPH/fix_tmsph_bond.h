@@ -38,6 +38,8 @@ struct TMSPHBondUser {
   virtual bool viscous() const = 0;
   /// velocity that viscosity took last for local particle i; nullptr if that was no step or setup
   virtual const double *step_velocity(int i) const = 0;
+  /// particles may change hands next, in a step of a run
+  virtual void exchange_comes() = 0;
   /// the forces of a setup are there: check and tell
   virtual void run_begins() = 0;
   /// a run or minimization is over
@@ -71,6 +73,7 @@ class FixTMSPHBond : public Fix {
   void setup(int) override;
   void min_setup(int) override;
   void post_run() override;
+  void pre_exchange() override;
   void post_neighbor() override;
   void min_post_neighbor() override { post_neighbor(); }
 

@@ -115,6 +115,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   }
   bool viscous() const override { return on.viscosity; }
   const double *step_velocity(int i) const override;
+  void exchange_comes() override { the_box.meet_exchange(); }
   void run_begins() override;
   void run_ends() override;
 

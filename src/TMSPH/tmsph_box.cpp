@@ -38,17 +38,44 @@ bool TMSPHBox::carries_velocities() const
    no steps: the last one is the best guess then
 ------------------------------------------------------------------------- */
 
+void TMSPHBox::grow_older(bool in_step)
+{
+  const double *now = domain->h_rate;
+  if (in_step || now[0] != 0.0 || now[1] != 0.0 || now[2] != 0.0) std::copy_n(now, 3, rate);
+  if (!in_step || !std::equal(size, size + 3, domain->prd)) age = 0.0;
+  if (in_step) age += update->dt;
+  std::copy_n(domain->prd, 3, size);
+}
+
+/* ----------------------------------------------------------------------
+   particles cross the box as it is on this step, which LAMMPS sets at its end
+------------------------------------------------------------------------- */
+
+void TMSPHBox::meet_exchange()
+{
+  if (!carries_velocities()) return;
+  grow_older(true);
+  for (int k = 0; k < 3; k++) {
+    domain->boxlo[k] += age * domain->h_ratelo[k];
+    domain->boxhi[k] += age * (domain->h_ratelo[k] + rate[k]);
+  }
+  domain->set_global_box();
+  domain->set_local_box();
+  std::copy_n(domain->prd, 3, size);
+  age = 0.0;
+  exchanged = update->ntimestep;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void TMSPHBox::meet_forces()
 {
   if (!carries_velocities()) return;
   const bool in_step = update->whichflag == 1 && !update->setupflag;
-  const double *now = domain->h_rate;
-  if (in_step || now[0] != 0.0 || now[1] != 0.0 || now[2] != 0.0) std::copy_n(now, 3, rate);
-  if (!in_step || !std::equal(size, size + 3, domain->prd)) age = 0.0;
-  std::copy_n(domain->prd, 3, size);
-  if (!in_step) return;
-  age += update->dt;
-  move_ghosts(age);
+  if (in_step && exchanged == update->ntimestep) return;
+  grow_older(in_step);
+  exchanged = -1;
+  if (in_step) move_ghosts(age);
 }
 
 /* ---------------------------------------------------------------------- */

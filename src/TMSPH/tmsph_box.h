@@ -19,6 +19,8 @@ class TMSPHBox : protected Pointers {
  public:
   TMSPHBox(class LAMMPS *lmp) : Pointers(lmp) {}
   void init();
+  /// particles cross faces next, in a step of a run
+  void meet_exchange();
   /// forces are found next (collective)
   void meet_forces();
   /// an output is (collective)
@@ -36,7 +38,9 @@ class TMSPHBox : protected Pointers {
   double rate[3] = {};        // of its edges, in this step or the last one
   double size[3] = {};        // since when it has this size, in the last forces
   double age = 0.0;
+  bigint exchanged = -1;      // on this step the box was ahead of LAMMPS
 
+  void grow_older(bool in_step);
   void move_ghosts(double ahead);
 };
 

@@ -35,8 +35,8 @@ def stress(strain):
 
 
 def uniform(report, what, run, bar):
-    """Of the steps in the run but the first, and of the run 0 after it."""
-    for name, table in ((what, run.tables[0]), (what + ", after run 0", run.tables[1])):
+    """Of the run, and of the run 0 after it if there was one."""
+    for name, table in zip((what, what + ", after run 0"), run.tables):
         lx = table["Lx"]
         expected = stress(lx / run.tables[0]["Lx"][0] - 1)
         scale = abs(expected).max()
@@ -65,19 +65,22 @@ def pressed(report):
 
 
 def remapped_velocities(report):
-    """Fix deform remap v leaves particles to velocities that grow across the body."""
-    for viscosity in (0, 1):
+    """Fix deform remap v leaves particles to velocities that grow across the body, which may drift
+    through the faces of the box."""
+    for viscosity, drift in ((0, 0), (1, 0), (1, 200)):
         for dimension, ranks in ((2, 1), (2, 3), (3, 4)):
             scene = body(dimension, f"fix stretch all deform 1 x erate {RATE} remap v",
                          pair=f"viscosity {viscosity} 0").add(FIELDS)
-            scene.add(f"variable vx atom {RATE}*(x-0.5*lx)\nvelocity all set v_vx 0 NULL\n"
+            scene.add(f"variable vx atom {drift}+{RATE}*(x-0.5*lx)\nvelocity all set v_vx 0 NULL\n"
                       "compute push all reduce max fx")
-            run = scene.thermo(COLUMNS + " c_push", 100).add("timestep 2e-8\nrun 400\nrun 0").run(ranks)
-            what = f"remap v, viscosity {viscosity}, {dimension}-D on {ranks}"
+            scene.thermo(COLUMNS + " c_push", 100).add("timestep 2e-8\nrun 400")
+            # at the start of a run 0 LAMMPS leaves particles that cross a face their former velocity
+            run = (scene if drift else scene.add("run 0")).run(ranks)
+            what = f"remap v, viscosity {viscosity}, drift {drift}, {dimension}-D on {ranks}"
             uniform(report, what, run, 1e-10)
             unit = abs(run.thermo("c_high", 0)[-1]) * SPACING ** (dimension - 1)
             report.below(f"{what}: largest force over that on a section of a particle",
-                         max(run.thermo("c_push", n).max() for n in (0, 1)) / unit, 1e-9)
+                         max(table["c_push"].max() for table in run.tables) / unit, 1e-9)
 
 
 def contact(report):
