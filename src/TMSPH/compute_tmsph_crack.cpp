@@ -10,6 +10,7 @@
 #include "fix_tmsph_bond.h"
 #include "force.h"
 #include "pair_tmsph.h"
+#include "tmsph_pi.h"
 #include "update.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ void ComputeTMSPHCrack::compute_vector()
   pair = PairTMSPH::laid_out(lmp, "Compute tmsph/crack");
   FixTMSPHBond *bonds = pair->bonds();
   const bool two = domain->dimension == 2;
-  const double cosine = two ? 2.0 / std::acos(-1.0) : 0.5, cosine2 = two ? 0.5 : 1.0 / 3.0;
+  const double cosine = two ? 2.0 / TMSPH::PI : 0.5, cosine2 = two ? 0.5 : 1.0 / 3.0;
 
   double sum[N] = {0.0, 0.0, 0.0, 0.0};    // broken, cut, area, elongation
   for (int i = 0; i < atom->nlocal; i++) {

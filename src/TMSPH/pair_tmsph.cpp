@@ -10,6 +10,7 @@
 #include "atom.h"
 #include "domain.h"
 #include "fix_tmsph_bond.h"
+#include "tmsph_pi.h"
 #include "update.h"
 
 #include <Eigen/Eigenvalues>
@@ -290,10 +291,9 @@ double PairTMSPH::thermal_strain(int i) const
 
 double PairTMSPH::spacing() const
 {
-  const double pi = std::acos(-1.0);
   const int family = bond_fix->family_sizes().second + 1;
-  return cutoff * (domain->dimension == 2 ? std::sqrt(pi / family)
-                                          : std::cbrt(4.0 * pi / (3.0 * family)));
+  return cutoff * (domain->dimension == 2 ? std::sqrt(PI / family)
+                                          : std::cbrt(4.0 * PI / (3.0 * family)));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <map>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
@@ -34,7 +33,7 @@ static constexpr int RESTART_FORMAT = 2;
 /* ---------------------------------------------------------------------- */
 
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
-    Pair(lmp), cutoff(0.0), kernel(Kernel::WENDLAND), plane(Plane::STRAIN),
+    Pair(lmp), cutoff(0.0), kernel(WendlandC2()), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), dilatation(Dilatation::AUTO),
     bond_fix(nullptr), break_test(nullptr), contact(nullptr), contact_serves_heat(false),
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0),
@@ -89,12 +88,13 @@ void PairTMSPH::allocate()
 
 template <class T>
 static T one_of(Error *error, const char *keyword, const char *word,
-                const std::map<std::string, T> &table)
+                const std::vector<std::pair<std::string, T>> &table)
 {
-  const auto found = table.find(word);
-  if (found != table.end()) return found->second;
   std::string known;
-  for (const auto &entry : table) known += (known.empty() ? "" : " or ") + entry.first;
+  for (const auto &[name, value] : table) {
+    if (name == word) return value;
+    known += (known.empty() ? "" : " or ") + name;
+  }
   error->all(FLERR, "Unknown value '{}' of pair_style tmsph {}: use {}", word, keyword, known);
   return T();
 }
@@ -109,7 +109,7 @@ void PairTMSPH::settings(int narg, char **arg)
   if (cutoff <= 0.0)
     error->all(FLERR, "Horizon {} of pair_style tmsph must be positive: about 3 particle spacings",
                arg[0]);
-  kernel = Kernel::WENDLAND;
+  kernel = WendlandC2();
   plane = Plane::STRAIN;
   thermal_mode = ThermalStrain::BOND;
   on.law = Law::SVK;
@@ -130,10 +130,7 @@ void PairTMSPH::settings(int narg, char **arg)
     if (iarg + values >= narg) utils::missing_cmd_args(FLERR, "pair_style tmsph " + word, error);
     const char *value = arg[iarg + 1];
     if (word == "kernel")
-      kernel = one_of<Kernel>(error, "kernel", value,
-                              {{"wendland", Kernel::WENDLAND},
-                               {"cubic", Kernel::CUBIC},
-                               {"quintic", Kernel::QUINTIC}});
+      kernel = one_of<Kernel>(error, "kernel", value, kernels());
     else if (word == "plane")
       plane =
           one_of<Plane>(error, "plane", value,
@@ -379,7 +376,7 @@ void PairTMSPH::complete_particles()
 
 void PairTMSPH::write_restart_settings(FILE *fp)
 {
-  const double list[8] = {cutoff,           (double) kernel,  (double) plane,
+  const double list[8] = {cutoff,           (double) kernel.index(), (double) plane,
                           (double) thermal_mode, hourglass,   viscosity.alpha1,
                           viscosity.alpha2, (double) dilatation};
   const int format_and_law[2] = {RESTART_FORMAT, (int) on.law};
@@ -401,7 +398,7 @@ void PairTMSPH::read_restart_settings(FILE *fp)
   MPI_Bcast(format_and_law, 2, MPI_INT, 0, world);
   check_restart_format(error, "pair style tmsph", format_and_law[0], RESTART_FORMAT);
   cutoff = list[0];
-  kernel = (Kernel) (int) list[1];
+  kernel = kernels().at((size_t) list[1]).second;
   plane = (Plane) (int) list[2];
   thermal_mode = (ThermalStrain) (int) list[3];
   hourglass = list[4];

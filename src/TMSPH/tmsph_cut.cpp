@@ -15,6 +15,7 @@
 #include "neighbor.h"
 #include "pair_tmsph.h"
 #include "tmsph_geometry.h"
+#include "tmsph_pi.h"
 
 #include <cmath>
 #include <map>
@@ -176,7 +177,7 @@ TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
     return flaw;
   }
   if (shape == "arc") {
-    const double radian = std::acos(-1.0) / 180.0;
+    const double radian = TMSPH::PI / 180.0;
     const Point2 center(v[0], v[1]);
     const double radius = v[2], start = v[3] * radian, sweep = (v[4] - v[3]) * radian;
     if (radius <= 0.0) error->all(FLERR, "Radius {} of the tmsph/cut arc must be positive", arg[3]);

@@ -1,36 +1,107 @@
 /* -*- c++ -*- ----------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   Smoothing kernels with support radius delta (the horizon), in 2-D and 3-D.
+   Smoothing kernels with support radius delta (the horizon), in 2-D and 3-D:
+   W(R) = scale f(q), q = R/h, scale = norm/h^dimension. A kernel is a struct
+     NAME                 the word of pair_style tmsph kernel
+     SUPPORT              delta/h
+     norm(dimension)      so that the integral of W over all space is 1
+     value(scale, q)      scale f(q), 0 <= q < SUPPORT
+     slope(scale, q)      -scale f'(q)
+   and a member of Kernel. Wendland C2: Wendland, Adv. Comput. Math. 4 (1995) 389; splines:
+   Monaghan, Rep. Prog. Phys. 68 (2005) 1703.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_TMSPH_KERNEL_H
 #define LMP_TMSPH_KERNEL_H
 
-#include <cmath>
+#include "tmsph_pi.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace TMSPH {
 
-enum class Kernel { WENDLAND, CUBIC, QUINTIC };
-
-/** Support of a kernel in smoothing lengths h: Wendland C2 and cubic spline 2, quintic spline 3. */
-inline double support_in_smoothing_lengths(Kernel kernel)
+/// x^n where x > 0, else 0
+inline double positive_power(double x, int n)
 {
-  return kernel == Kernel::QUINTIC ? 3.0 : 2.0;
+  double p = 1.0;
+  for (; n > 0 && x > 0.0; n--) p *= x;
+  return x > 0.0 ? p : 0.0;
 }
 
-/** sigma of W = sigma f(R/h)/h^dimension, f as in kernel_value(). */
-inline double kernel_normalization(Kernel kernel, int dimension)
-{
-  constexpr double PI = 3.14159265358979323846;
-  switch (kernel) {
-    case Kernel::WENDLAND:
-      return dimension == 2 ? 7.0 / (4.0 * PI) : 21.0 / (16.0 * PI);
-    case Kernel::CUBIC:
-      return dimension == 2 ? 10.0 / (7.0 * PI) : 1.0 / PI;
-    default:
-      return dimension == 2 ? 7.0 / (478.0 * PI) : 1.0 / (120.0 * PI);
+struct WendlandC2 {
+  static constexpr const char *NAME = "wendland";
+  static constexpr double SUPPORT = 2.0;
+  static double norm(int dimension)
+  {
+    return dimension == 2 ? 7.0 / (4.0 * PI) : 21.0 / (16.0 * PI);
   }
+  static double value(double scale, double q)
+  {
+    return scale * positive_power(1.0 - 0.5 * q, 4) * (1.0 + 2.0 * q);
+  }
+  static double slope(double scale, double q)
+  {
+    const double c = 1.0 - 0.5 * q;
+    return scale * (5.0 * q * c * c * c);
+  }
+};
+
+struct CubicSpline {
+  static constexpr const char *NAME = "cubic";
+  static constexpr double SUPPORT = 2.0;
+  static double norm(int dimension) { return dimension == 2 ? 10.0 / (7.0 * PI) : 1.0 / PI; }
+  static double value(double scale, double q)
+  {
+    return scale * 0.25 * (positive_power(2.0 - q, 3) - 4.0 * positive_power(1.0 - q, 3));
+  }
+  static double slope(double scale, double q)
+  {
+    return scale * (q < 1.0 ? 3.0 * q - 2.25 * q * q : 0.75 * (2.0 - q) * (2.0 - q));
+  }
+};
+
+struct QuinticSpline {
+  static constexpr const char *NAME = "quintic";
+  static constexpr double SUPPORT = 3.0;
+  static double norm(int dimension)
+  {
+    return dimension == 2 ? 7.0 / (478.0 * PI) : 1.0 / (120.0 * PI);
+  }
+  static double value(double scale, double q)
+  {
+    return scale * (positive_power(3.0 - q, 5) - 6.0 * positive_power(2.0 - q, 5) +
+                    15.0 * positive_power(1.0 - q, 5));
+  }
+  static double slope(double scale, double q)
+  {
+    return scale * (5.0 * (positive_power(3.0 - q, 4) - 6.0 * positive_power(2.0 - q, 4) +
+                           15.0 * positive_power(1.0 - q, 4)));
+  }
+};
+
+/// Restart files keep the place of a kernel in this list: new ones go to its end.
+using Kernel = std::variant<WendlandC2, CubicSpline, QuinticSpline>;
+
+/// All kernels by their names, in the order of Kernel.
+template <std::size_t... N>
+inline std::vector<std::pair<std::string, Kernel>> kernels(std::index_sequence<N...>)
+{
+  return {{std::variant_alternative_t<N, Kernel>::NAME, std::variant_alternative_t<N, Kernel>()}...};
+}
+
+inline std::vector<std::pair<std::string, Kernel>> kernels()
+{
+  return kernels(std::make_index_sequence<std::variant_size_v<Kernel>>());
+}
+
+/// Support radius in smoothing lengths h.
+inline double support_in_smoothing_lengths(const Kernel &kernel)
+{
+  return std::visit([](auto shape) { return shape.SUPPORT; }, kernel);
 }
 
 /** w(R) = -W'(R)/R >= 0, so that grad_{X_i} W_ij = w (X_j - X_i).
@@ -38,57 +109,32 @@ inline double kernel_normalization(Kernel kernel, int dimension)
     @param dimension 2 or 3
     @param R         reference distance, 0 < R
     @param delta     support radius, where W vanishes
-    @return          w in 1/length^(dimension+2); zero from delta on
-
-    Wendland C2: Wendland, Adv. Comput. Math. 4 (1995) 389; splines: Monaghan, Rep. Prog. Phys. 68
-    (2005) 1703. */
-inline double kernel_slope(Kernel kernel, int dimension, double R, double delta)
+    @return          w in 1/length^(dimension+2); zero from delta on */
+inline double kernel_slope(const Kernel &kernel, int dimension, double R, double delta)
 {
   if (R >= delta) return 0.0;
-  const double h = delta / support_in_smoothing_lengths(kernel), q = R / h;
-  const double length = dimension == 2 ? h * h : h * h * h;
-  const double sigma = kernel_normalization(kernel, dimension);
-  double slope;    // -f'(q)
-  switch (kernel) {
-    case Kernel::WENDLAND: {
-      const double c = 1.0 - 0.5 * q;
-      slope = 5.0 * q * c * c * c;
-      break;
-    }
-    case Kernel::CUBIC:
-      slope = q < 1.0 ? 3.0 * q - 2.25 * q * q : 0.75 * (2.0 - q) * (2.0 - q);
-      break;
-    default: {
-      const auto fourth = [](double x) { return x > 0.0 ? x * x * x * x : 0.0; };
-      slope = 5.0 * (fourth(3.0 - q) - 6.0 * fourth(2.0 - q) + 15.0 * fourth(1.0 - q));
-    }
-  }
-  return sigma * slope / (length * h * R);
+  return std::visit(
+      [=](auto shape) {
+        const double h = delta / shape.SUPPORT;
+        const double length = dimension == 2 ? h * h : h * h * h;
+        return shape.slope(shape.norm(dimension), R / h) / (length * h * R);
+      },
+      kernel);
 }
 
-/** The kernel W(R) itself, in 1/length^dimension; from the same sources.
+/** The kernel W(R) itself, in 1/length^dimension.
 
     @param R 0 <= R */
-inline double kernel_value(Kernel kernel, int dimension, double R, double delta)
+inline double kernel_value(const Kernel &kernel, int dimension, double R, double delta)
 {
   if (R >= delta) return 0.0;
-  const double h = delta / support_in_smoothing_lengths(kernel), q = R / h;
-  const double length = dimension == 2 ? h * h : h * h * h;
-  const auto power = [](double x, int n) {
-    double p = 1.0;
-    for (; n > 0 && x > 0.0; n--) p *= x;
-    return x > 0.0 ? p : 0.0;
-  };
-  const double scale = kernel_normalization(kernel, dimension) / length;
-  switch (kernel) {
-    case Kernel::WENDLAND:
-      return scale * power(1.0 - 0.5 * q, 4) * (1.0 + 2.0 * q);
-    case Kernel::CUBIC:
-      return scale * 0.25 * (power(2.0 - q, 3) - 4.0 * power(1.0 - q, 3));
-    default:
-      return scale *
-          (power(3.0 - q, 5) - 6.0 * power(2.0 - q, 5) + 15.0 * power(1.0 - q, 5));
-  }
+  return std::visit(
+      [=](auto shape) {
+        const double h = delta / shape.SUPPORT;
+        const double length = dimension == 2 ? h * h : h * h * h;
+        return shape.value(shape.norm(dimension) / length, R / h);
+      },
+      kernel);
 }
 
 }    // namespace TMSPH

@@ -6,6 +6,8 @@
 
 #include "tmsph_wall_shape.h"
 
+#include "tmsph_pi.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,8 +21,6 @@ constexpr double STRAIGHT = 1.0e-9;
 /// lengths that differ by a smaller share of the reach are equal but for round-off: of two gaps the
 /// first one counts
 constexpr double EQUALLY_FAR = 1.0e-9;
-
-constexpr double PI = 3.14159265358979323846;
 
 Point minus(const Point &a, const Point &b)
 {

@@ -116,7 +116,7 @@ template <int D> struct Body {
     strains are of the order of a per cent, velocities of a per cent of the wave speed: large
     against round-off, and large enough for every nonlinear term to show. */
 template <int D>
-Body<D> random_body(unsigned seed, TMSPH::Kernel kernel = TMSPH::Kernel::WENDLAND,
+Body<D> random_body(unsigned seed, TMSPH::Kernel kernel = TMSPH::WendlandC2(),
                     double broken = 0.1)
 {
   std::mt19937_64 engine(seed);

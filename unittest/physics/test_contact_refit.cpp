@@ -41,7 +41,7 @@ template <int D> struct Pair {
   {
     static constexpr double REST[9] = {};
     const ContactEnd<D> low{REST, REST, REST, REST, 0.0, true}, high{x, REST, REST, REST, 0.0, true};
-    return contact_state<D>(surface, low, high, past, Kernel::WENDLAND, 0.0);
+    return contact_state<D>(surface, low, high, past, WendlandC2(), 0.0);
   }
 };
 

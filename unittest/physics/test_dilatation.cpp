@@ -23,7 +23,7 @@ template <class Dimension> class Averaging : public ::testing::Test {
   Averaging()
   {
     for (auto &p : body.p) p.averaged = true;
-    body.average(Kernel::WENDLAND, body.kappa());
+    body.average(WendlandC2(), body.kappa());
     Slices &bonds = layout.bonds;
     bonds.averaging.assign(bonds.weight.size(), 0.0f);
     for (int q = 0; q < bonds.count(); q++)
@@ -90,10 +90,10 @@ TYPED_TEST(Averaging, smooths)
 // finely spaced layers, their share of the kernel summed with the trapezoidal rule
 TEST(InterfaceDepth, is_the_distance_to_a_plane)
 {
-  for (Kernel kernel : {Kernel::WENDLAND, Kernel::CUBIC, Kernel::QUINTIC})
+  for (const auto &each : kernels())
     for (int dimension : {2, 3}) {
       const double delta = 3.0;
-      const InterfaceDepth depth(kernel, dimension, delta);
+      const InterfaceDepth depth(each.second, dimension, delta);
       EXPECT_NEAR(depth(0.5), 0.0, 1.0e-12);
       EXPECT_EQ(depth(1.0), delta);
       EXPECT_EQ(depth(0.3), 0.0);
@@ -104,7 +104,7 @@ TEST(InterfaceDepth, is_the_distance_to_a_plane)
         for (int j = -n; j <= n; j++)
           for (int k = dimension == 2 ? 0 : -n; k <= (dimension == 2 ? 0 : n); k++) {
             const double R = step * std::sqrt(1.0 * i * i + j * j + k * k);
-            const double W = kernel_value(kernel, dimension, R, delta);
+            const double W = kernel_value(each.second, dimension, R, delta);
             all += W;
             below += W * (i * step < plane - 1.0e-9 ? 1.0 : i * step < plane + 1.0e-9 ? 0.5 : 0.0);
           }

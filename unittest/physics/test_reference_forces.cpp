@@ -77,7 +77,7 @@ std::map<std::string, std::vector<std::vector<double>>> read_data(const std::str
 struct Scene {
   Features on;
   Viscosity viscosity;
-  Kernel kernel = Kernel::WENDLAND;
+  Kernel kernel;
   Plane plane = Plane::STRAIN;
   double horizon = 0.0, hourglass = 0.1;
   Dilatation dilatation = Dilatation::AUTO;
@@ -89,9 +89,9 @@ struct Scene {
     for (size_t k = 2; k < style.size(); k += 2) {
       const std::string &word = style[k], &value = style.at(k + 1);
       if (word == "kernel")
-        kernel = value == "cubic" ? Kernel::CUBIC
-            : value == "quintic"  ? Kernel::QUINTIC
-                                  : Kernel::WENDLAND;
+        for (const auto &each : kernels()) {
+          if (each.first == value) kernel = each.second;
+        }
       else if (word == "plane")
         plane = value == "stress" ? Plane::STRESS : Plane::STRAIN;
       else if (word == "law")

@@ -116,8 +116,8 @@ TYPED_TEST(Sweep, affine_deformation_is_exact)
 TYPED_TEST(Sweep, equals_the_double_loop)
 {
   constexpr int D = TestFixture::D;
-  for (Kernel kernel : {Kernel::WENDLAND, Kernel::CUBIC, Kernel::QUINTIC}) {
-    Body<D> body = random_body<D>(2, kernel);
+  for (const auto &each : kernels()) {
+    Body<D> body = random_body<D>(2, each.second);
     body.p[4].singular = body.p[17].singular = true;
     this->for_all_features([&](const Features &on, double zeta, const Viscosity &viscosity) {
       const Swept<D> swept(body, on, zeta, viscosity);
@@ -171,10 +171,10 @@ TYPED_TEST(Sweep, momentum_is_conserved)
 TYPED_TEST(Sweep, forces_are_the_gradient_of_the_energy)
 {
   constexpr int D = TestFixture::D;
-  for (Kernel kernel : {Kernel::WENDLAND, Kernel::CUBIC, Kernel::QUINTIC})
+  for (const auto &each : kernels())
     this->for_all_features([&](const Features &on, double zeta, const Viscosity &) {
       if (on.viscosity) return;
-      Body<D> body = random_body<D>(4, kernel, 0.3);
+      Body<D> body = random_body<D>(4, each.second, 0.3);
       const Swept<D> swept(body, on, zeta, {});
       const double step = 1.0e-5 * body.spacing, largest = swept.largest_force(body.size());
       Layout<D> layout(body, zeta);
