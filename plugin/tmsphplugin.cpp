@@ -22,6 +22,8 @@
 #include "fix_tmsph_heat.h"
 #include "fix_tmsph_heat_boundary.h"
 #include "fix_tmsph_hoekbrown.h"
+#include "fix_tmsph_mohrcoulomb.h"
+#include "fix_tmsph_rankine.h"
 #include "fix_tmsph_wall.h"
 #include "min_tmsph_lbfgs.h"
 #include "pair_tmsph.h"
@@ -91,6 +93,10 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   add("fix", "tmsph/bond", "reference bonds of pair style tmsph");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHHoekBrown>;
   add("fix", "tmsph/hoekbrown", "bond breaking by the Hoek-Brown criterion");
+  plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHMohrCoulomb>;
+  add("fix", "tmsph/mohrcoulomb", "bond breaking by the Mohr-Coulomb criterion");
+  plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHRankine>;
+  add("fix", "tmsph/rankine", "bond breaking by Rankine's criterion");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHContact>;
   add("fix", "tmsph/contact", "contact with friction of bodies and crack faces");
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<FixTMSPHWall>;

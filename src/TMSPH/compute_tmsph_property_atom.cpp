@@ -8,7 +8,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_tmsph_bond.h"
-#include "fix_tmsph_hoekbrown.h"
+#include "fix_tmsph_break.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
@@ -60,13 +60,13 @@ void ComputeTMSPHPropertyAtom::init()
 
 void ComputeTMSPHPropertyAtom::find_rock()
 {
-  const auto fixes = modify->get_fix_by_style("^tmsph/hoekbrown$");
-  breaking = fixes.empty() ? nullptr : dynamic_cast<FixTMSPHHoekBrown *>(fixes.front());
+  breaking = FixTMSPHBreak::find(lmp);
   for (const auto &word : words) {
     if (word != "strength" && word != "load") continue;
     if (!breaking)
-      error->all(FLERR, "Word '{}' of compute tmsph/property/atom needs a fix tmsph/hoekbrown",
-                 word);
+      error->all(FLERR,
+                 "Word '{}' of compute tmsph/property/atom needs a fix that breaks bonds, such as "
+                 "tmsph/hoekbrown", word);
     needs_rock = true;
   }
 }

@@ -38,7 +38,7 @@ class ComputeTMSPHPropertyAtom : public Compute {
   int nmax;
   double *vector, **array;
   class PairTMSPH *pair;
-  class FixTMSPHHoekBrown *breaking;
+  class FixTMSPHBreak *breaking;
 
   Column column(const std::string &word);
   void make_columns();

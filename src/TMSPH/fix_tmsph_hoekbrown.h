@@ -13,108 +13,12 @@ FixStyle(tmsph/hoekbrown,FixTMSPHHoekBrown);
 #ifndef LMP_FIX_TMSPH_HOEKBROWN_H
 #define LMP_FIX_TMSPH_HOEKBROWN_H
 
-#include "fix.h"
-#include "pair_tmsph.h"
-#include "tmsph_debris.h"
+#include "fix_tmsph_break.h"
 #include "tmsph_hoekbrown.h"
-#include "tmsph_report.h"
 
 namespace LAMMPS_NS {
 
-class FixTMSPHHoekBrown : public Fix, public PairTMSPH::BreakTest, public TMSPHReporter {
- public:
-  FixTMSPHHoekBrown(class LAMMPS *, int, char **);
-  int setmask() override;
-  void init() override;
-  void init_list(int, class NeighList *) override;
-  void pre_force(int) override;
-  void end_of_step() override;
-  double compute_scalar() override;
-  double compute_vector(int) override;
-  double memory_usage() override;
-  void write_restart(FILE *) override;
-  void restart(char *) override;
-  int pack_forward_comm(int, int *, double *, int, int *) override;
-  void unpack_forward_comm(int, int, double *) override;
-
-  bool due() const override { return armed; }
-  void break_bonds(const double *, std::vector<int> &) override;
-  double repel(double *) override;
-  void tell() override;
-
-  /** What a test in equilibrium found, on all processors. */
-  struct Test {
-    double largest = 0.0;    // load factor of a bond
-    bigint broken = 0;
-  };
-  /// a step of the thermal clock begins
-  void begin_step() { broken_now = 0; }
-  /** Bonds are tested in the next force evaluation. Those break whose load factor is at least 1
-      and at least "fraction" of the largest. */
-  void test_next(double fraction);
-  const Test &last_test() const { return test; }
-  /// the smallest uniaxial tensile strength of a type, without scatter
-  double tensile_strength() const;
-  /// and that of one
-  double tensile_strength(int type) const;
-
-  /// strengths of the present particles, for the two below (collective)
-  void find_strengths();
-  /// uniaxial compressive strength of particle i, drawn for its id
-  double strength(int i) const;
-  /// load factor of a stress (xx yy zz xy xz yz) with particle i's strength
-  double load_factor(int i, const double *stress) const;
-
- private:
-  struct Rock {
-    double strength = 0.0, mi = 0.0, gsi = 100.0, disturbance = 0.0;
-    double modulus = 0.0;    // Weibull; 0: no scatter
-    int seed = 0;
-    TMSPH::HoekBrown constants;
-  };
-  struct Event {
-    double column[13];
-  };
-  /** A bond that fails, seen from one of its ends, with its stress. */
-  struct Due {
-    int i, k;
-    double load, stress[6];
-    TMSPH::Extremes extremes;
-  };
-
-  PairTMSPH *pair;
-  class FixTMSPHBond *bonds;
-  class NeighList *list;
-  TMSPHDebris debris;
-  std::vector<Rock> rocks;               // by type
-  bool all_principals, one_rock;
-  bool armed;                            // in a step of a run, not in setup or minimization
-  int version;                           // layout that the arrays below belong to
-  std::vector<double> strengths;         // [nlocal+nghost] drawn compressive strengths
-  std::vector<char> beyond;              // [nlocal+nghost] fails with its own stress and strength
-  bigint broken[2];                      // in tension, in shear: events recorded here
-  bigint broken_now;
-  bool fresh;                            // nothing has been tested yet, in this or an earlier run
-  double relative;                       // in equilibrium, of the largest load factor; else 0
-  Test test;
-  std::vector<Due> due_bonds;
-  std::vector<Event> events;
-  std::vector<double *> event_rows;
-
-  void parse(int, char **);
-  void follow_layout();
-  TMSPH::Extremes extremes(const double *stress, double zz) const;
-  TMSPH::Extremes extremes_of(int i, const double *stress) const;
-  bool may_fail(int i, const double *stress) const;
-  void find_due(const double *stress);
-  void keep_most_loaded();
-  void warn_of_hot_start();
-  void record(const Due &);
-  void list_events();
-  void gather_events(std::vector<double> &);
-  double largest_load();
-  bigint total(int mode);
-};
+using FixTMSPHHoekBrown = FixTMSPHBreakBy<TMSPH::HoekBrown>;
 
 }    // namespace LAMMPS_NS
 

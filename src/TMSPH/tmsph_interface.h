@@ -18,6 +18,7 @@
 #include "tmsph_kernel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace TMSPH {

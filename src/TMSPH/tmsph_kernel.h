@@ -90,7 +90,7 @@ using Kernel = std::variant<WendlandC2, CubicSpline, QuinticSpline>;
 template <std::size_t... N>
 inline std::vector<std::pair<std::string, Kernel>> kernels(std::index_sequence<N...>)
 {
-  return {{std::variant_alternative_t<N, Kernel>::NAME, std::variant_alternative_t<N, Kernel>()}...};
+  return {{std::variant_alternative_t<N, Kernel>::NAME, Kernel(std::in_place_index<N>)}...};
 }
 
 inline std::vector<std::pair<std::string, Kernel>> kernels()

@@ -13,23 +13,26 @@
 
 namespace TMSPH {
 
-/// Largest and smallest principal value.
-struct Extremes {
-  double largest, smallest;
+struct Principals {
+  double largest, middle, smallest;
 };
 
-/// In the plane, from xx yy xy.
-inline Extremes principal_extremes_2d(const double *s)
+/// In the plane, from xx yy xy; the middle one is their mean.
+inline Principals principals_2d(const double *s)
 {
   const double mean = 0.5 * (s[0] + s[1]), half = 0.5 * (s[0] - s[1]);
   const double radius = std::sqrt(half * half + s[2] * s[2]);
-  return {mean + radius, mean - radius};
+  return {mean + radius, mean, mean - radius};
 }
 
-/// Mean and deviation of a stress, see may_fail().
+/** Mean and deviation of a stress, to bound its principal values: in the plane deviation2 is
+    (S1 - S3)^2/4, in 3-D J2, where (S1 - S3)^2 <= 4 J2. */
 struct Invariants {
   double mean, deviation2;
 };
+
+/// for a bound that must hold in spite of round-off
+constexpr double BELOW_ROUNDING = 1.0 - 1.0e-12;
 
 inline Invariants invariants_2d(const double *s)
 {
@@ -54,10 +57,10 @@ inline Eigen::Vector3d principal_values(const double *s)
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-inline Extremes principal_extremes_3d(const double *s)
+inline Principals principals_3d(const double *s)
 {
   const Eigen::Vector3d value = principal_values(s);
-  return {value[2], value[0]};
+  return {value[2], value[1], value[0]};
 }
 
 }    // namespace TMSPH

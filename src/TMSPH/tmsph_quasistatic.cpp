@@ -10,7 +10,7 @@
 #include "error.h"
 #include "finish.h"
 #include "fix_tmsph_bond.h"
-#include "fix_tmsph_hoekbrown.h"
+#include "fix_tmsph_break.h"
 #include "fix_tmsph_wall.h"
 #include "force.h"
 #include "min_tmsph_lbfgs.h"
@@ -148,9 +148,7 @@ void TMSPHQuasistatic::check_fixes()
       error->warning(FLERR, "Fix {} of style {} does not act in tmsph/quasistatic", fix->id,
                      fix->style);
   }
-  rock = nullptr;
-  for (const auto &fix : modify->get_fix_by_style("^tmsph/hoekbrown$"))
-    rock = dynamic_cast<FixTMSPHHoekBrown *>(fix);
+  rock = FixTMSPHBreak::find(lmp);
 }
 
 /* ---------------------------------------------------------------------- */

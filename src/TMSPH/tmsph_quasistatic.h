@@ -38,7 +38,7 @@ class TMSPHQuasistatic : public Command {
   bigint evaluations;           // most in one equilibrium
 
   class PairTMSPH *pair;
-  class FixTMSPHHoekBrown *rock;
+  class FixTMSPHBreak *rock;
   class MinTMSPHLBFGS *solver;
   std::vector<TMSPHHeatClock *> clocks;
   std::vector<class FixTMSPHWall *> walls;

@@ -44,7 +44,7 @@ Vector slip(const Vector &N, const Vector &X, const Vector &x, const Tensor &H, 
     for (int a = 0; a < 3; a++) pair.origin[k] += tangent[k][a] * X[a];
   const ContactEnd<3> low{REST, REST, REST, H.data(), 0.0, true};
   const ContactEnd<3> high{x.data(), REST, REST, H.data(), 0.0, true};
-  const auto s = contact_state<3>(pair, low, high, {}, Kernel::WENDLAND, 0.0);
+  const auto s = contact_state<3>(pair, low, high, {}, WendlandC2(), 0.0);
   Vector sum = Vector::Zero();
   for (int k = 0; k < 2; k++) sum += s.slip[k] * Vector(s.tangent[k]);
   return sum;
@@ -89,7 +89,7 @@ TEST_F(ContactAxes, LooseParticlesAlongAnAxis)
   const Vector v(0.0, 0.3, 0.4);
   const ContactEnd<3> low{REST, REST, REST, REST, 0.0, true};
   const ContactEnd<3> high{N.data(), v.data(), REST, REST, 0.0, true};
-  const auto s = contact_state<3>(pair, low, high, {}, Kernel::WENDLAND, 1.0);
+  const auto s = contact_state<3>(pair, low, high, {}, WendlandC2(), 1.0);
   EXPECT_NEAR(std::hypot(s.slip[0], s.slip[1]), 0.5, 1.0e-14);
 }
 

@@ -28,7 +28,7 @@ TEST(Principal, plane)
     Eigen::Matrix2d A;
     A << s[0], s[2], s[2], s[1];
     const Eigen::Vector2d exact = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(A).eigenvalues();
-    const Extremes e = principal_extremes_2d(s);
+    const Principals e = principals_2d(s);
     EXPECT_NEAR(e.smallest, exact[0], 10.0 * ROUND_OFF * A.norm());
     EXPECT_NEAR(e.largest, exact[1], 10.0 * ROUND_OFF * A.norm());
     const Invariants m = invariants_2d(s);
@@ -52,7 +52,7 @@ void check_space(const Eigen::Vector3d &values, std::mt19937_64 &engine)
   const Eigen::Vector3d found = principal_values(s);
   const double tolerance = 20.0 * ROUND_OFF * values.norm();
   for (int k = 0; k < 3; k++) EXPECT_NEAR(found[k], exact[k], tolerance) << values.transpose();
-  const Extremes e = principal_extremes_3d(s);
+  const Principals e = principals_3d(s);
   EXPECT_NEAR(e.smallest, exact[0], tolerance);
   EXPECT_NEAR(e.largest, exact[2], tolerance);
 

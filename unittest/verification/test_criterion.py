@@ -2,7 +2,8 @@
 """Hoek-Brown breaking in homogeneous stress. All particles are displaced so that
 the Cauchy stress is known exactly; at 0.999 of the criterion no bond breaks, at
 1.001 of it all do. The constants are those of Hoek, Carranza-Torres and Corkum
-(2002), written down here again."""
+(2002), written down here again; so are Mohr-Coulomb and Rankine, whose states are
+blocks side by side in one run."""
 
 from scenes.hoekbrown import *
 
@@ -100,7 +101,51 @@ def scattered(report):
         report.below(f"{what}: bonds not as due", len(due ^ block.broken), 1)
 
 
+def mohr_coulomb(p):
+    """Load factor of principal stresses, tension positive, over the cohesion."""
+    N = (1 + np.sin(np.radians(FRICTION))) / (1 - np.sin(np.radians(FRICTION)))
+    return max((N * max(p) - min(p)) / (2 * np.sqrt(N) * COHESION), max(p) / TENSILE)
+
+
+def directions(d):
+    """Twenty states from tension to confined compression; the last never fails."""
+    angles = np.radians(np.linspace(15, 115, 17))
+    plane = [(np.sin(a) - 0.3, -np.cos(a)) for a in angles]
+    plane += [(-0.05, -1.0), (-0.1, -1.0), (-0.15, -1.0)]
+    return plane if d == 2 else [(x, 0.4 * x + 0.6 * y, y) for x, y in plane]
+
+
+def other_laws(report):
+    laws = {"mohrcoulomb": (f"cohesion * {COHESION} friction * {FRICTION} tensile * {TENSILE}",
+                            mohr_coulomb),
+            "rankine": (f"tensile * {TENSILE}", lambda p: max(p) / TENSILE)}
+    for d in (2, 3):
+        name, cells = BLOCKS[d]
+        one = lattice(name, cells, SPACING)
+        shift = np.arange(len(directions(d)))[:, None, None] * np.eye(d)[0] * 25 * SPACING
+        cloud = Cloud((one.X + shift).reshape(-1, d), one.volume[0], SPACING)
+        for law, (words, load) in laws.items():
+            factors = [1 / load(p) if load(p) > 0 else 1e6 for p in directions(d)]
+            scene = Scene(cloud, [ROCK]).add(f"fix b all tmsph/{law} {words}\nrun 0")
+            scene.add("compute b all tmsph/bond/local id1 state")
+            for share in (BELOW, ABOVE):
+                F = [turned(d) @ np.diag(stretches(share * factor * np.array(p))) @ turned(d).T
+                     for factor, p in zip(factors, directions(d))]
+                scene.move(np.concatenate([one.X @ f.T + s for f, s in zip(F, shift)]))
+                scene.add("run 1").add(f"write_dump all local bonds{share}.local c_b[*]")
+            run = scene.run()
+            for share in (BELOW, ABOVE):
+                id1, state = np.stack(list(run.frame(f"bonds{share}").values())).astype(int)
+                for k, p in enumerate(directions(d)):
+                    of = (id1 - 1) // len(one) == k
+                    wanted = int(share > 1 and load(p) > 0)
+                    report.within(f"{law}, {d}-D, state {k + 1} at {share}: share broken",
+                                  (state[of] == 1).mean(), wanted, wanted)
+
+
+COHESION, FRICTION, TENSILE = 25e6, 50.0, 9e6
 report = Report()
+other_laws(report)
 closed_forms(report)
 states(report)
 two_rocks(report)

@@ -1,10 +1,11 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   Which bonds break, and what is told of it. The criterion is in tmsph_hoekbrown.h.
+   Which bonds break, and what is told of it. The criterion is a part of its own, see
+   tmsph_criterion.h.
 ------------------------------------------------------------------------- */
 
-#include "fix_tmsph_hoekbrown.h"
+#include "fix_tmsph_break.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -23,23 +24,34 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using TMSPH::Extremes;
+using TMSPH::Principals;
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHHoekBrown::setmask()
+FixTMSPHBreak *FixTMSPHBreak::find(LAMMPS *lmp)
+{
+  for (const auto &fix : lmp->modify->get_fix_list())
+    if (const auto found = dynamic_cast<FixTMSPHBreak *>(fix)) return found;
+  return nullptr;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHBreak::setmask()
 {
   return PRE_FORCE | END_OF_STEP;
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::init()
+void FixTMSPHBreak::init()
 {
   pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
-  if (!pair) error->all(FLERR, "Fix tmsph/hoekbrown needs pair style tmsph");
-  if (modify->get_fix_by_style("^tmsph/hoekbrown$").size() > 1)
-    error->all(FLERR, "More than one fix tmsph/hoekbrown: give all types in a single one");
+  if (!pair) error->all(FLERR, "Fix {} needs pair style tmsph", style);
+  for (const auto &fix : modify->get_fix_list())
+    if (fix != this && dynamic_cast<FixTMSPHBreak *>(fix))
+      error->all(FLERR, "Fixes {} {} and {} {} both break bonds: give all types in a single one",
+                 style, id, fix->style, fix->id);
   if (all_principals && domain->dimension == 3) all_principals = false;    // 3-D has all anyway
   bonds = pair->bonds();
   pair->set_break_test(this);
@@ -65,7 +77,7 @@ void FixTMSPHHoekBrown::init()
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::init_list(int /*id*/, NeighList *ptr)
+void FixTMSPHBreak::init_list(int /*id*/, NeighList *ptr)
 {
   list = ptr;
 }
@@ -75,7 +87,7 @@ void FixTMSPHHoekBrown::init_list(int /*id*/, NeighList *ptr)
    last step's forces, and not while minimizing
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::pre_force(int /*vflag*/)
+void FixTMSPHBreak::pre_force(int /*vflag*/)
 {
   armed = true;
   broken_now = 0;
@@ -83,7 +95,7 @@ void FixTMSPHHoekBrown::pre_force(int /*vflag*/)
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::end_of_step()
+void FixTMSPHBreak::end_of_step()
 {
   armed = false;
 }
@@ -92,7 +104,7 @@ void FixTMSPHHoekBrown::end_of_step()
    after an exchange of particles: strengths by first id, candidates of contact
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::follow_layout()
+void FixTMSPHBreak::follow_layout()
 {
   if (version == bonds->layout_version()) return;
   version = bonds->layout_version();
@@ -111,7 +123,7 @@ void FixTMSPHHoekBrown::follow_layout()
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHHoekBrown::pack_forward_comm(int n, int *sendlist, double *buf, int /*pbc_flag*/,
+int FixTMSPHBreak::pack_forward_comm(int n, int *sendlist, double *buf, int /*pbc_flag*/,
                                          int * /*pbc*/)
 {
   for (int i = 0; i < n; i++) {
@@ -123,7 +135,7 @@ int FixTMSPHHoekBrown::pack_forward_comm(int n, int *sendlist, double *buf, int 
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::unpack_forward_comm(int n, int first, double *buf)
+void FixTMSPHBreak::unpack_forward_comm(int n, int first, double *buf)
 {
   for (int i = first; i < first + n; i++) {
     debris.spacings()[i] = *buf++;
@@ -133,7 +145,7 @@ void FixTMSPHHoekBrown::unpack_forward_comm(int n, int first, double *buf)
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHHoekBrown::repel(double *virial)
+double FixTMSPHBreak::repel(double *virial)
 {
   follow_layout();
   return debris.repel(virial);
@@ -141,34 +153,31 @@ double FixTMSPHHoekBrown::repel(double *virial)
 
 /* ---------------------------------------------------------------------- */
 
-Extremes FixTMSPHHoekBrown::extremes(const double *stress, double zz) const
+Principals FixTMSPHBreak::principals(const double *stress, double zz) const
 {
-  if (domain->dimension == 3) return TMSPH::principal_extremes_3d(stress);
-  Extremes e = TMSPH::principal_extremes_2d(stress);
-  if (all_principals) {
-    e.largest = std::max(e.largest, zz);
-    e.smallest = std::min(e.smallest, zz);
-  }
-  return e;
+  if (domain->dimension == 3) return TMSPH::principals_3d(stress);
+  const Principals p = TMSPH::principals_2d(stress);
+  if (!all_principals) return p;
+  return {std::max(p.largest, zz), std::max(p.smallest, std::min(p.largest, zz)),
+          std::min(p.smallest, zz)};
 }
 
 /* ---------------------------------------------------------------------- */
 
-Extremes FixTMSPHHoekBrown::extremes_of(int i, const double *stress) const
+Principals FixTMSPHBreak::principals_of(int i, const double *stress) const
 {
-  return extremes(stress, all_principals ? pair->stress_zz(i, stress[0], stress[1]) : 0.0);
+  return principals(stress, all_principals ? pair->stress_zz(i, stress[0], stress[1]) : 0.0);
 }
 
 /* ---------------------------------------------------------------------- */
 
-bool FixTMSPHHoekBrown::may_fail(int i, const double *stress) const
+bool FixTMSPHBreak::may_fail(int i, const double *stress) const
 {
   if (all_principals) return true;
   static const double REACH_3D = 2.0 / std::sqrt(3.0);
   const bool two = domain->dimension == 2;
   const TMSPH::Invariants v = two ? TMSPH::invariants_2d(stress) : TMSPH::invariants_3d(stress);
-  return TMSPH::may_fail(v.mean, v.deviation2, two ? 1.0 : REACH_3D, strengths[i],
-                         rocks[atom->type[i]].constants);
+  return criterion->may_fail(atom->type[i], v, two ? 1.0 : REACH_3D, strengths[i]);
 }
 
 /* ----------------------------------------------------------------------
@@ -179,7 +188,7 @@ bool FixTMSPHHoekBrown::may_fail(int i, const double *stress) const
    Both ends, on whatever processor, see the same numbers and decide alike.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::find_due(const double *stress)
+void FixTMSPHBreak::find_due(const double *stress)
 {
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost, size = pair->stress_size();
   const int *type = atom->type;
@@ -192,7 +201,7 @@ void FixTMSPHHoekBrown::find_due(const double *stress)
   bool any = ranked || !one_rock;
   for (int i = 0; i < nall; i++) {
     beyond[i] = ranked || (may_fail(i, row(i)) &&
-        TMSPH::fails(extremes_of(i, row(i)), strengths[i], rocks[type[i]].constants));
+        criterion->fails(type[i], type[i], principals_of(i, row(i)), strengths[i]));
     any = any || beyond[i];
   }
   if (!any) return;
@@ -201,7 +210,7 @@ void FixTMSPHHoekBrown::find_due(const double *stress)
     for (int k = 0; k < bonds->count(i); k++) {
       if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
       const int j = bonds->partner_index(i, k);
-      const bool same = one_rock || rocks[type[i]].constants == rocks[type[j]].constants;
+      const bool same = one_rock || criterion->alike(type[i], type[j]);
       if (same && !beyond[i] && !beyond[j]) continue;
 
       Due bond = {i, k, 0.0, {}, {}};
@@ -210,16 +219,14 @@ void FixTMSPHHoekBrown::find_due(const double *stress)
       if (all_principals)
         zz = 0.5 * (pair->stress_zz(i, row(i)[0], row(i)[1]) +
                     pair->stress_zz(j, row(j)[0], row(j)[1]));
-      bond.extremes = extremes(bond.stress, zz);
+      bond.principals = principals(bond.stress, zz);
       const double strength = 0.5 * (strengths[i] + strengths[j]);
-      const TMSPH::HoekBrown rock = same
-          ? rocks[type[i]].constants
-          : TMSPH::mean(rocks[type[i]].constants, rocks[type[j]].constants);
+      const int other = same ? type[i] : type[j];
       if (ranked) {
-        bond.load = TMSPH::load_factor(bond.extremes, strength, rock);
+        bond.load = criterion->load_factor(type[i], other, bond.principals, strength);
         test.largest = std::max(test.largest, bond.load);
       }
-      if (ranked ? bond.load >= 1.0 : TMSPH::fails(bond.extremes, strength, rock))
+      if (ranked ? bond.load >= 1.0 : criterion->fails(type[i], other, bond.principals, strength))
         due_bonds.push_back(bond);
     }
   }
@@ -227,7 +234,7 @@ void FixTMSPHHoekBrown::find_due(const double *stress)
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::keep_most_loaded()
+void FixTMSPHBreak::keep_most_loaded()
 {
   double largest;
   MPI_Allreduce(&test.largest, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -242,7 +249,7 @@ void FixTMSPHHoekBrown::keep_most_loaded()
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touched)
+void FixTMSPHBreak::break_bonds(const double *stress, std::vector<int> &touched)
 {
   follow_layout();
   armed = false;
@@ -265,7 +272,7 @@ void FixTMSPHHoekBrown::break_bonds(const double *stress, std::vector<int> &touc
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::test_next(double fraction)
+void FixTMSPHBreak::test_next(double fraction)
 {
   armed = true;
   relative = fraction;
@@ -273,7 +280,7 @@ void FixTMSPHHoekBrown::test_next(double fraction)
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHHoekBrown::tensile_strength() const
+double FixTMSPHBreak::tensile_strength() const
 {
   double smallest = HUGE_VAL;
   for (int type = 1; type <= atom->ntypes; type++)
@@ -283,21 +290,21 @@ double FixTMSPHHoekBrown::tensile_strength() const
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHHoekBrown::tensile_strength(int type) const
+double FixTMSPHBreak::tensile_strength(int type) const
 {
-  const Rock &rock = rocks[type];
-  const Extremes pull = {rock.strength, 0.0};
-  return rock.strength / TMSPH::load_factor(pull, rock.strength, rock.constants);
+  const double strength = rocks[type].strength;
+  const Principals pull = {strength, 0.0, 0.0};
+  return strength / criterion->load_factor(type, type, pull, strength);
 }
 
 /* ----------------------------------------------------------------------
    one row of the local table; a bond is recorded where its lower id lives
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::record(const Due &bond)
+void FixTMSPHBreak::record(const Due &bond)
 {
   const int i = bond.i, j = bonds->partner_index(i, bond.k);
-  const int mode = bond.extremes.largest > 0.0 ? 0 : 1;    // tension where a principal stress pulls
+  const int mode = bond.principals.largest > 0.0 ? 0 : 1;    // tension where one pulls
   broken[mode]++;
   broken_now++;
   double X[3];
@@ -322,7 +329,7 @@ void FixTMSPHHoekBrown::record(const Due &bond)
    the table as LAMMPS takes it; rows that are known stay unless the events have moved
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::list_events()
+void FixTMSPHBreak::list_events()
 {
   if (!event_rows.empty() && event_rows[0] != events[0].column) event_rows.clear();
   while (event_rows.size() < events.size())
@@ -333,37 +340,34 @@ void FixTMSPHHoekBrown::list_events()
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::find_strengths()
+void FixTMSPHBreak::find_strengths()
 {
   if (!bonds)
-    error->all(FLERR, "Fix tmsph/hoekbrown {} was not in a run yet: do a 'run 0' first", id);
+    error->all(FLERR, "Fix {} {} was not in a run yet: do a 'run 0' first", style, id);
   follow_layout();
 }
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHHoekBrown::strength(int i) const
+double FixTMSPHBreak::strength(int i) const
 {
   return strengths[i];
 }
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHHoekBrown::load_factor(int i, const double *stress) const
+double FixTMSPHBreak::load_factor(int i, const double *stress) const
 {
-  Extremes e;
-  if (domain->dimension == 3)
-    e = TMSPH::principal_extremes_3d(stress);
-  else {
-    const double plane[3] = {stress[0], stress[1], stress[3]};
-    e = extremes(plane, stress[2]);
-  }
-  return TMSPH::load_factor(e, strengths[i], rocks[atom->type[i]].constants);
+  const double plane[3] = {stress[0], stress[1], stress[3]};
+  const bool space = domain->dimension == 3;
+  return criterion->load_factor(atom->type[i], atom->type[i],
+                                space ? TMSPH::principals_3d(stress) : principals(plane, stress[2]),
+                                strengths[i]);
 }
 
 /* ---------------------------------------------------------------------- */
 
-bigint FixTMSPHHoekBrown::total(int mode)
+bigint FixTMSPHBreak::total(int mode)
 {
   bigint all;
   MPI_Allreduce(&broken[mode], &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
@@ -372,7 +376,7 @@ bigint FixTMSPHHoekBrown::total(int mode)
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHHoekBrown::compute_scalar()
+double FixTMSPHBreak::compute_scalar()
 {
   return total(0) + total(1);
 }
@@ -382,7 +386,7 @@ double FixTMSPHHoekBrown::compute_scalar()
    particle, 5 fragment contacts
 ------------------------------------------------------------------------- */
 
-double FixTMSPHHoekBrown::compute_vector(int n)
+double FixTMSPHBreak::compute_vector(int n)
 {
   if (n < 2) return total(n);
   if (n == 3) return largest_load();
@@ -394,16 +398,17 @@ double FixTMSPHHoekBrown::compute_vector(int n)
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHHoekBrown::largest_load()
+double FixTMSPHBreak::largest_load()
 {
-  PairTMSPH::laid_out(lmp, fmt::format("Output 4 of fix tmsph/hoekbrown {}", id));
+  PairTMSPH::laid_out(lmp, fmt::format("Output 4 of fix {} {}", style, id));
   find_strengths();
   const double *stress = pair->fields().stress;
   double mine = 0.0, all;
-  for (int i = 0; i < atom->nlocal; i++)
-    mine = std::max(mine,
-                    TMSPH::load_factor(extremes_of(i, stress + (size_t) i * pair->stress_size()),
-                                       strengths[i], rocks[atom->type[i]].constants));
+  for (int i = 0; i < atom->nlocal; i++) {
+    const Principals p = principals_of(i, stress + (size_t) i * pair->stress_size());
+    const int type = atom->type[i];
+    mine = std::max(mine, criterion->load_factor(type, type, p, strengths[i]));
+  }
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return all;
 }

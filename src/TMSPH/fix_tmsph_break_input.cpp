@@ -1,10 +1,10 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   Words and restart of fix tmsph/hoekbrown, and what it tells of them.
+   Words and restart of the fixes that break bonds, and what they tell of them.
 ------------------------------------------------------------------------- */
 
-#include "fix_tmsph_hoekbrown.h"
+#include "fix_tmsph_break.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -15,6 +15,7 @@
 #include "tmsph_types.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -41,10 +42,11 @@ static constexpr double HOT_START = 0.01;
 
 /* ---------------------------------------------------------------------- */
 
-FixTMSPHHoekBrown::FixTMSPHHoekBrown(LAMMPS *lmp, int narg, char **arg) :
+FixTMSPHBreak::FixTMSPHBreak(LAMMPS *lmp, int narg, char **arg,
+                             std::unique_ptr<TMSPH::Criterion> law) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), list(nullptr), debris(lmp),
-    rocks(atom->ntypes + 1), all_principals(false), one_rock(true), armed(false), version(-1),
-    broken{0, 0}, broken_now(0), fresh(true), relative(0.0)
+    criterion(std::move(law)), rocks(atom->ntypes + 1), all_principals(false), one_rock(true),
+    armed(false), version(-1), broken{0, 0}, broken_now(0), fresh(true), relative(0.0)
 {
   scalar_flag = vector_flag = local_flag = 1;
   size_vector = 5;
@@ -59,80 +61,91 @@ FixTMSPHHoekBrown::FixTMSPHHoekBrown(LAMMPS *lmp, int narg, char **arg) :
 }
 
 /* ----------------------------------------------------------------------
-   keywords: strength mi gsi disturbance TYPES value, weibull TYPES omega seed,
+   keywords: each word of the criterion TYPES value, weibull TYPES omega seed,
    principal inplane|all
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::parse(int narg, char **arg)
+void FixTMSPHBreak::parse(int narg, char **arg)
 {
   if (igroup != 0)
-    error->all(FLERR, "Fix tmsph/hoekbrown works on all particles: use group all and give each "
-                      "type its rock");
+    error->all(FLERR, "Fix {} works on all particles: use group all and give each type its rock",
+               style);
+  const auto &words = criterion->words();
+  std::vector<std::vector<double>> values(atom->ntypes + 1);
+  for (auto &one : values)
+    for (const auto &word : words) one.push_back(word.standard);
+
   for (int iarg = 3; iarg < narg;) {
-    const std::string word = arg[iarg];
-    if (word == "principal") {
-      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix tmsph/hoekbrown principal", error);
-      if (strcmp(arg[iarg + 1], "all") != 0 && strcmp(arg[iarg + 1], "inplane") != 0)
-        error->all(FLERR, "Unknown value '{}' of fix tmsph/hoekbrown principal: use inplane or all",
-                   arg[iarg + 1]);
-      all_principals = strcmp(arg[iarg + 1], "all") == 0;
-      iarg += 2;
-      continue;
+    if (parse_general(iarg, narg, arg)) continue;
+    const std::string name = arg[iarg];
+    const auto word = std::find_if(words.begin(), words.end(),
+                                   [&](const TMSPH::CriterionWord &w) { return w.name == name; });
+    if (word == words.end()) {
+      std::string known;
+      for (const auto &w : words) known += std::string(w.name) + ", ";
+      error->all(FLERR, "Unknown keyword '{}' of fix {}: use {}weibull or principal", name, style,
+                 known);
     }
-    const bool weibull = word == "weibull";
-    if (!weibull && word != "strength" && word != "mi" && word != "gsi" && word != "disturbance")
-      error->all(FLERR,
-                 "Unknown keyword '{}' of fix tmsph/hoekbrown: use strength, mi, gsi, disturbance, "
-                 "weibull or principal",
-                 word);
-    const int words = weibull ? 4 : 3;
-    if (iarg + words > narg)
-      utils::missing_cmd_args(FLERR, "fix tmsph/hoekbrown " + word, error);
+    if (iarg + 3 > narg)
+      utils::missing_cmd_args(FLERR, fmt::format("fix {} {}", style, name), error);
     int lo, hi;
-    TMSPH::read_types(lmp, "Fix tmsph/hoekbrown " + word,
-                      word + (weibull ? " * modulus seed" : " * value"), arg[iarg + 1], lo, hi);
+    TMSPH::read_types(lmp, fmt::format("Fix {} {}", style, name), name + " * value", arg[iarg + 1],
+                      lo, hi);
     const double value = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
-    const auto reject = [&](const char *rule) {
-      error->all(FLERR, "Fix tmsph/hoekbrown {} {} is out of range: {}", word, arg[iarg + 2], rule);
-    };
-    if (word == "strength" && value <= 0.0)
-      reject("the uniaxial compressive strength must be positive");
-    if (word == "mi" && value <= 0.0) reject("it must be positive; 4 to 33 is usual");
-    if (word == "gsi" && (value <= 0.0 || value > 100.0))
-      reject("it must be above 0 and at most 100 (intact rock)");
-    if (word == "disturbance" && (value < 0.0 || value > 1.0)) reject("it must lie in 0 to 1");
-    // (-ln U)^(1/omega) and its square must be numbers for all U of double precision
-    if (weibull && value < 0.1) reject("the Weibull modulus must be at least 0.1; 10 is usual");
-    int seed = 0;
-    if (weibull) {
-      seed = utils::inumeric(FLERR, arg[iarg + 3], false, lmp);
-      if (seed <= 0)
-        error->all(FLERR, "Fix tmsph/hoekbrown weibull seed {} must be a positive integer",
-                   arg[iarg + 3]);
-    }
-    for (int type = lo; type <= hi; type++) {
-      Rock &rock = rocks[type];
-      if (word == "strength") rock.strength = value;
-      if (word == "mi") rock.mi = value;
-      if (word == "gsi") rock.gsi = value;
-      if (word == "disturbance") rock.disturbance = value;
-      if (weibull) {
-        rock.modulus = value;
-        rock.seed = seed;
-      }
-    }
-    iarg += words;
+    if (!word->allows(value))
+      error->all(FLERR, "Fix {} {} {} is out of range: {}", style, name, arg[iarg + 2], word->rule);
+    for (int type = lo; type <= hi; type++) values[type][word - words.begin()] = value;
+    iarg += 3;
   }
+
   for (int type = 1; type <= atom->ntypes; type++) {
-    Rock &rock = rocks[type];
-    for (const auto &[name, value] : {std::make_pair("strength", rock.strength),
-                                      std::make_pair("mi", rock.mi)})
-      if (value == 0.0)
-        error->all(FLERR, "Fix tmsph/hoekbrown lacks the {} of type {}: add '{} {} value'", name,
-                   type, name, type);
-    rock.constants = TMSPH::hoek_brown(rock.mi, rock.gsi, rock.disturbance);
-    one_rock = one_rock && rock.constants == rocks[1].constants;
+    for (size_t k = 0; k < words.size(); k++)
+      if (values[type][k] == TMSPH::REQUIRED)
+        error->all(FLERR, "Fix {} lacks the {} of type {}: add '{} {} value'", style, words[k].name,
+                   type, words[k].name, type);
+    rocks[type].strength = values[type][0];
+    criterion->add(values[type]);
+    one_rock = one_rock && criterion->alike(type, 1);
   }
+}
+
+/* ----------------------------------------------------------------------
+   a word that does not depend on the criterion: true if there was one
+------------------------------------------------------------------------- */
+
+bool FixTMSPHBreak::parse_general(int &iarg, int narg, char **arg)
+{
+  const std::string word = arg[iarg];
+  if (word == "principal") {
+    if (iarg + 1 >= narg)
+      utils::missing_cmd_args(FLERR, fmt::format("fix {} principal", style), error);
+    if (strcmp(arg[iarg + 1], "all") != 0 && strcmp(arg[iarg + 1], "inplane") != 0)
+      error->all(FLERR, "Unknown value '{}' of fix {} principal: use inplane or all", arg[iarg + 1],
+                 style);
+    all_principals = strcmp(arg[iarg + 1], "all") == 0;
+    iarg += 2;
+    return true;
+  }
+  if (word != "weibull") return false;
+  if (iarg + 4 > narg) utils::missing_cmd_args(FLERR, fmt::format("fix {} weibull", style), error);
+  int lo, hi;
+  TMSPH::read_types(lmp, fmt::format("Fix {} weibull", style), "weibull * modulus seed",
+                    arg[iarg + 1], lo, hi);
+  const double modulus = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+  // (-ln U)^(1/omega) and its square must be numbers for all U of double precision
+  if (!(modulus >= 0.1))
+    error->all(FLERR, "Fix {} weibull {} is out of range: the Weibull modulus must be at least "
+                      "0.1; 10 is usual",
+               style, arg[iarg + 2]);
+  const int seed = utils::inumeric(FLERR, arg[iarg + 3], false, lmp);
+  if (seed <= 0)
+    error->all(FLERR, "Fix {} weibull seed {} must be a positive integer", style, arg[iarg + 3]);
+  for (int type = lo; type <= hi; type++) {
+    rocks[type].modulus = modulus;
+    rocks[type].seed = seed;
+  }
+  iarg += 4;
+  return true;
 }
 
 /* ----------------------------------------------------------------------
@@ -140,12 +153,13 @@ void FixTMSPHHoekBrown::parse(int narg, char **arg)
    sqrt(E G).
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::tell()
+void FixTMSPHBreak::tell()
 {
   using namespace TMSPH;
   const UnitNames unit(update->unit_style);
-  TextTable table({"type", heading("UCS", unit.pressure), heading("tensile", unit.pressure),
-                   "UCS/E", heading("crack_energy", unit.area_energy),
+  const std::string strength = criterion->strength_name();
+  TextTable table({"type", heading(strength, unit.pressure), heading("tensile", unit.pressure),
+                   strength + "/E", heading("crack_energy", unit.area_energy),
                    heading("toughness", unit.toughness)});
   for (int type = 1; type <= atom->ntypes; type++) {
     const double young = pair->material(type).young, tensile = tensile_strength(type);
@@ -158,9 +172,9 @@ void FixTMSPHHoekBrown::tell()
   if (!pair->news(rows)) return;
   if (comm->me == 0)
     utils::logmesg(lmp,
-                   "TMSPH breaking: Hoek-Brown, a crack takes {} tensile^2 spacing/E, its "
+                   "TMSPH breaking: {}, a crack takes {} tensile^2 spacing/E, its "
                    "characteristic length is {} spacings\n{}",
-                   CRACK_ENERGY, CRACK_ENERGY, rows);
+                   criterion->title(), CRACK_ENERGY, CRACK_ENERGY, rows);
   for (int type = 1; type <= atom->ntypes; type++) {
     const double ratio = rocks[type].strength / pair->material(type).young;
     if (!pair->plausible(type) || (ratio >= WEAKEST && ratio <= STRONGEST)) continue;
@@ -178,7 +192,7 @@ void FixTMSPHHoekBrown::tell()
    on the first step of all, before the bonds go that are due
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::warn_of_hot_start()
+void FixTMSPHBreak::warn_of_hot_start()
 {
   double mine[2] = {0.5 * due_bonds.size(), 0.0}, all[2];
   for (int i = 0; i < atom->nlocal; i++)
@@ -195,7 +209,7 @@ void FixTMSPHHoekBrown::warn_of_hot_start()
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::write_restart(FILE *fp)
+void FixTMSPHBreak::write_restart(FILE *fp)
 {
   const double tension = total(0), shear = total(1);
   std::vector<double> list = {RESTART_FORMAT, tension, shear, (double) comm->nprocs};
@@ -211,7 +225,7 @@ void FixTMSPHHoekBrown::write_restart(FILE *fp)
    record in an int; beyond that, at some 20 million events, the table starts anew.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::gather_events(std::vector<double> &list)
+void FixTMSPHBreak::gather_events(std::vector<double> &list)
 {
   const int nprocs = comm->nprocs, width = size_local_cols;
   const int mine = width * events.size();
@@ -232,11 +246,11 @@ void FixTMSPHHoekBrown::gather_events(std::vector<double> &list)
    events return to the processor that they came from, so that the table keeps its order
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHoekBrown::restart(char *buf)
+void FixTMSPHBreak::restart(char *buf)
 {
   double head[4];
   memcpy(head, buf, sizeof(double));
-  check_restart_format(error, "fix tmsph/hoekbrown", head[0], RESTART_FORMAT);
+  check_restart_format(error, fmt::format("fix {}", style), head[0], RESTART_FORMAT);
   memcpy(head, buf, sizeof(head));
   for (int mode = 0; mode < 2; mode++)
     broken[mode] = comm->me == 0 ? (bigint) head[1 + mode] : 0;
@@ -257,7 +271,7 @@ void FixTMSPHHoekBrown::restart(char *buf)
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHHoekBrown::memory_usage()
+double FixTMSPHBreak::memory_usage()
 {
   return strengths.capacity() * sizeof(double) + beyond.capacity() +
       events.capacity() * (sizeof(Event) + sizeof(double *)) + due_bonds.capacity() * sizeof(Due);

@@ -1,0 +1,130 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   What all fixes that break bonds by a criterion have in common: which bonds break, strengths that
+   scatter, the table of events. A fix of a criterion is this class with its law, see below.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_FIX_TMSPH_BREAK_H
+#define LMP_FIX_TMSPH_BREAK_H
+
+#include "fix.h"
+#include "pair_tmsph.h"
+#include "tmsph_criterion.h"
+#include "tmsph_debris.h"
+#include "tmsph_report.h"
+
+#include <memory>
+
+namespace LAMMPS_NS {
+
+class FixTMSPHBreak : public Fix, public PairTMSPH::BreakTest, public TMSPHReporter {
+ public:
+  FixTMSPHBreak(class LAMMPS *, int, char **, std::unique_ptr<TMSPH::Criterion>);
+  /// the one of this simulation, or nullptr
+  static FixTMSPHBreak *find(class LAMMPS *);
+  int setmask() override;
+  void init() override;
+  void init_list(int, class NeighList *) override;
+  void pre_force(int) override;
+  void end_of_step() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+
+  bool due() const override { return armed; }
+  void break_bonds(const double *, std::vector<int> &) override;
+  double repel(double *) override;
+  void tell() override;
+
+  /** What a test in equilibrium found, on all processors. */
+  struct Test {
+    double largest = 0.0;    // load factor of a bond
+    bigint broken = 0;
+  };
+  /// a step of the thermal clock begins
+  void begin_step() { broken_now = 0; }
+  /** Bonds are tested in the next force evaluation. Those break whose load factor is at least 1
+      and at least "fraction" of the largest. */
+  void test_next(double fraction);
+  const Test &last_test() const { return test; }
+  /// the smallest uniaxial tensile strength of a type, without scatter
+  double tensile_strength() const;
+  /// and that of one
+  double tensile_strength(int type) const;
+
+  /// strengths of the present particles, for the two below (collective)
+  void find_strengths();
+  /// strength of particle i as the criterion's first word gives it, drawn for its id
+  double strength(int i) const;
+  /// load factor of a stress (xx yy zz xy xz yz) with particle i's strength
+  double load_factor(int i, const double *stress) const;
+
+ private:
+  struct Rock {
+    double strength = 0.0;
+    double modulus = 0.0;    // Weibull; 0: no scatter
+    int seed = 0;
+  };
+  struct Event {
+    double column[13];
+  };
+  /** A bond that fails, seen from one of its ends, with its stress. */
+  struct Due {
+    int i, k;
+    double load, stress[6];
+    TMSPH::Principals principals;
+  };
+
+  PairTMSPH *pair;
+  class FixTMSPHBond *bonds;
+  class NeighList *list;
+  TMSPHDebris debris;
+  std::unique_ptr<TMSPH::Criterion> criterion;
+  std::vector<Rock> rocks;               // by type
+  bool all_principals, one_rock;
+  bool armed;                            // in a step of a run, not in setup or minimization
+  int version;                           // layout that the arrays below belong to
+  std::vector<double> strengths;         // [nlocal+nghost] drawn strengths
+  std::vector<char> beyond;              // [nlocal+nghost] fails with its own stress and strength
+  bigint broken[2];                      // in tension, in shear: events recorded here
+  bigint broken_now;
+  bool fresh;                            // nothing has been tested yet, in this or an earlier run
+  double relative;                       // in equilibrium, of the largest load factor; else 0
+  Test test;
+  std::vector<Due> due_bonds;
+  std::vector<Event> events;
+  std::vector<double *> event_rows;
+
+  void parse(int, char **);
+  bool parse_general(int &iarg, int narg, char **arg);
+  void follow_layout();
+  TMSPH::Principals principals(const double *stress, double zz) const;
+  TMSPH::Principals principals_of(int i, const double *stress) const;
+  bool may_fail(int i, const double *stress) const;
+  void find_due(const double *stress);
+  void keep_most_loaded();
+  void warn_of_hot_start();
+  void record(const Due &);
+  void list_events();
+  void gather_events(std::vector<double> &);
+  double largest_load();
+  bigint total(int mode);
+};
+
+/** The fix of one law. */
+template <class Law> class FixTMSPHBreakBy : public FixTMSPHBreak {
+ public:
+  FixTMSPHBreakBy(class LAMMPS *lmp, int narg, char **arg) :
+      FixTMSPHBreak(lmp, narg, arg, std::make_unique<TMSPH::CriterionOf<Law>>())
+  {
+  }
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
