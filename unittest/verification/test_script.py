@@ -144,6 +144,12 @@ def what_fails(place):
     status, out, said, calls = place.call("tset")
     report.true("a wrong word", status == 2 and "no command 'tset'" in said and not calls,
                 said.strip())
+    for words, told in ((["-n", "2", "run/in.x"], "not '-n'"), (["run/in.x", "-np", "2"], "-np N comes before"),
+                        (["-np", "0", "run/in.x"], "a number of processes"),
+                        (["-np"], "a number of processes"), (["run"], "no input file 'run'")):
+        status, out, said, calls = place.call("run", *words)
+        report.true(f"run {' '.join(words)}", status == 1 and told in said and not calls
+                    and said.count("\n") == 1, said.strip())
     status, out, said, calls = place.call("run", "run/in.x", MISSING="yes", USER_ID="1000")
     line = [row for row in said.split("\n") if "apt-get install" in row]
     report.true("without root", status == 1 and line and line[0].strip().startswith("sudo apt-get")
