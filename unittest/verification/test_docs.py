@@ -155,7 +155,8 @@ def check_markdown(path):
 
 
 def check_tutorial():
-    """Its blocks one after the other, and with that of contact behind the rocks, coarsely."""
+    """Its blocks one after the other, and with that of contact behind the rocks, coarsely; and its
+    other scene, which cracks, but not before it is warm."""
     text = (ROOT / "doc/tutorial.md").read_text()
     blocks = re.findall(r"^```lammps( contact)?\n(.*?)^```", text, re.M | re.S)
     touching = "".join(block for contact, block in blocks if contact)
@@ -167,6 +168,11 @@ def check_tutorial():
         broken = re.findall(r"^ +10000 +260 +(\d+)", out, re.M)
         check(broken and int(broken[0]) > 50,
               f"the disc of doc/tutorial.md, {what}, does not crack")
+    square = re.search(r"^```lammps square\n(.*?)^```", text, re.M | re.S)[1]
+    out = run("variable dx index 2e-3\n" + square, "the square of doc/tutorial.md")
+    broken = [int(count) for count in re.findall(r"^ +(?:20|160) +\d+ +(\d+)", out, re.M)]
+    check(len(broken) == 2 and broken[0] == 0 < broken[1],
+          f"the square of doc/tutorial.md breaks {broken} bonds by 30 and 100 degrees")
 
 
 def run(text, what):
