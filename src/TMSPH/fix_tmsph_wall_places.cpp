@@ -42,8 +42,8 @@ void FixTMSPHWall::find_periods()
     repeats[k] = !endless && bounds.repeats(k, length);
     if (endless || repeats[k] || length == 0.0 || warned || comm->me) continue;
     error->warning(FLERR,
-                   "Wall {} is longer than the periodic box in {} and is there only as it is given: "
-                   "particles that cross this boundary come to another part of it; make the "
+                   "Wall {} is longer than the periodic box in {} and is there only as it is "
+                   "given: particles that cross this boundary come to another part of it; make the "
                    "boundary non-periodic, or let the wall end one period from where it starts",
                    id, "xyz"[k]);
   }
