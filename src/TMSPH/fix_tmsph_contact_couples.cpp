@@ -19,8 +19,8 @@ using namespace TMSPH;
 template <int D> using Vector = Eigen::Matrix<double, D, 1>;
 template <int D> using Square = Eigen::Matrix<double, D, D>;
 
-// bonds are crushed flat where the determinant of their tensor is a smaller part of the cube (in 2-D
-// the square) of its mean eigenvalue
+// bonds are crushed flat where the determinant of their tensor is a smaller part of the cube (in
+// 2-D the square) of its mean eigenvalue
 
 static constexpr double FLAT = 0.01;
 

@@ -329,6 +329,8 @@ std::string PairTMSPH::features() const
   if (break_test) text += fmt::format(", breaking with {} doubles more per ghost", stress_size());
   if (contact)
     text += fmt::format(", contact with {} doubles more per ghost", contact->doubles_per_ghost());
+  const int pressed = break_test ? doubles_of_pressed() : 0;
+  if (pressed) text += fmt::format(", pressed surfaces with {} doubles more per ghost", pressed);
   return text;
 }
 

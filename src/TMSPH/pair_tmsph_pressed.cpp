@@ -111,6 +111,17 @@ static bool collect(Modify &modify, MPI_Comm world, std::vector<TMSPHPresses::Sh
 }
 
 /* ----------------------------------------------------------------------
+   those of add_surface_stress(), once some surface is pressed; 0 without a fix that could
+------------------------------------------------------------------------- */
+
+int PairTMSPH::doubles_of_pressed() const
+{
+  for (Fix *fix : modify->get_fix_list())
+    if (dynamic_cast<TMSPHPresses *>(fix)) return pressed_width() + ROUNDS * stress_size();
+  return 0;
+}
+
+/* ----------------------------------------------------------------------
    of a stress row
 ------------------------------------------------------------------------- */
 
