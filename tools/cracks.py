@@ -133,7 +133,7 @@ def rose(events, radius, bins):
 
 
 def table(path, names, columns):
-    with open(path, "w") as file:
+    with lammps_files.opened(path, "w") as file:
         file.write(",".join(names) + "\n")
         for row in zip(*columns):
             file.write(",".join(f"{value:.10g}" for value in row) + "\n")

@@ -16,11 +16,11 @@ def stop(message):
     sys.exit(f"{sys.argv[0].rsplit('/', 1)[-1]}: {message}")
 
 
-def opened(path):
+def opened(path, mode="r"):
     try:
-        return open(path, errors="replace")
+        return open(path, mode, errors="replace")
     except OSError as error:
-        stop(f"cannot read {path}: {error.strerror}")
+        stop(f"cannot {'read' if mode == 'r' else 'write'} {path}: {error.strerror}")
 
 
 def is_dump(path):

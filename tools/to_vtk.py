@@ -51,7 +51,7 @@ def array(name, values):
 def grid(path, points, cells, kind, point_data, cell_data):
     """cells: one row of points for each cell."""
     offsets = cells.shape[1] * np.arange(1, len(cells) + 1)
-    with open(path, "w") as file:
+    with lammps_files.opened(path, "w") as file:
         file.write('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" '
                    'byte_order="LittleEndian" header_type="UInt64">\n<UnstructuredGrid>\n'
                    f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(cells)}">\n')
@@ -65,7 +65,7 @@ def grid(path, points, cells, kind, point_data, cell_data):
 
 
 def series(path, files):
-    with open(path, "w") as file:
+    with lammps_files.opened(path, "w") as file:
         file.write('<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0">\n'
                    '<Collection>\n')
         for step, name in files:
@@ -168,7 +168,7 @@ def walls(path):
 def write_xyz(file, step, points, data):
     """A frame of extended XYZ; species have no element."""
     columns = {re.sub(r"\W", "_", name): column for name, column in data.items()}
-    kinds = [f"{name}:{'I' if column.dtype.kind == 'i' else 'R'}:{column[0].size}"
+    kinds = [f"{name}:{'I' if column.dtype.kind == 'i' else 'R'}:{int(np.prod(column.shape[1:]))}"
              for name, column in columns.items()]
     file.write(f"{len(points)}\nProperties=species:S:1:pos:R:3:{':'.join(kinds)} step={step}\n")
     for k, point in enumerate(points):
@@ -191,7 +191,7 @@ def main(words):
         sys.exit(__doc__)
     prefix, files, known = arguments.out or arguments.dump, [], {}
     short = prefix.rsplit("/", 1)[-1]
-    xyz = open(f"{prefix}.xyz", "w") if arguments.xyz else None
+    xyz = lammps_files.opened(f"{prefix}.xyz", "w") if arguments.xyz else None
     for step, ids, points, data in particles(arguments.dump, arguments.names):
         grid(f"{prefix}.{step}.vtu", points, np.arange(len(points))[:, None], VERTEX, data, {})
         files.append((step, f"{short}.{step}.vtu"))

@@ -306,6 +306,7 @@ def wrong_files():
                         (("dump.disc", "--names", "ux"), "0 columns"),
                         (("dump.disc", "--bonds", "dump.disc"), "not of bonds"),
                         (("dump.disc", "--bonds", "events.txt"), "no columns of compute"),
+                        (("dump.disc", "--out", "nowhere/x"), "cannot write nowhere/x"),
                         (("short.txt",), "breaks off")):
         said = tool("to_vtk.py", *words, fails=True)
         report.true(f"to_vtk.py {' '.join(words)}", text in said and said.count("\n") == 1,
