@@ -273,7 +273,7 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   void add_surface_stress();
   std::vector<int> find_pressed(const std::vector<int> &sharing);
   bool own_bond(int i, int k) const;    // intact, to the own material
-  int pressed_width() const { return stress_size() + 1; }
+  int pressed_width() const { return stress_size() + 2; }
   int doubles_of_pressed() const;    // sent per ghost and test of the bonds
   bool averaged(int type) const;
   void init_dilatation();

@@ -47,6 +47,10 @@ struct Pressed {
   int i, first, last;    // itself and its bonds
   double part;           // of the average that it reports
 };
+
+/// columns of a row that is sent: how forces on the outermost particles press, how contacts do, and
+/// what is to be spread over the sum of V_k W_ik
+enum { BY_SURFACE, BY_CONTACT, SPREAD };
 }    // namespace
 
 /* ----------------------------------------------------------------------
@@ -135,8 +139,10 @@ static double norm(const double *s, int size)
 
 /* ----------------------------------------------------------------------
    Forces on the outermost particles are spread with the kernel, which keeps the sum of their stress
-   over volumes; pairs of contact are over the horizon as they are. All who get some, or have a
-   partner who has, report S_i + p_i sum_j V_j W_ij (S_j - S_i), round after round.
+   over volumes. All who get some, or have a partner who has, report
+     S_i + p_i sum_j V_j W_ij (S_j - S_i), round after round.
+   Pairs of contact are over the horizon as they are: once, with p_i p_j for p_i, so that particles
+   which nothing presses, as those at the tip of a crack whose faces touch, keep their own.
 ------------------------------------------------------------------------- */
 
 void PairTMSPH::add_surface_stress()
@@ -162,18 +168,16 @@ void PairTMSPH::add_surface_stress()
       }
   };
 
-  // a row: how pressed, then what is to be spread over the sum of V_k W_ik
-
-  std::vector<int> sharing;
+  std::vector<int> sharing, touching;
   for (const auto &share : shares) {
     const int i = share.i;
     const double flat[3] = {share.stress[0], share.stress[1], share.stress[3]};
     const double *s = size == 3 ? flat : share.stress;
     const double surface = norm(s, size), bonded = norm(stress_of(i), size);
     if (surface == 0.0) continue;
-    if (row(i)[0] == 0.0) sharing.push_back(i);
-    row(i)[0] =
-        std::max(row(i)[0], std::min(1.0, surface / (PRESSED * (surface + bonded))));
+    double &pressed_by = row(i)[share.outermost ? BY_SURFACE : BY_CONTACT];
+    if (pressed_by == 0.0) (share.outermost ? sharing : touching).push_back(i);
+    pressed_by = std::max(pressed_by, std::min(1.0, surface / (PRESSED * (surface + bonded))));
     double sum = 1.0;
     if (share.outermost) {
       near.clear();
@@ -182,23 +186,27 @@ void PairTMSPH::add_surface_stress()
                             [](double all, const Near &n) { return all + n.mass; });
     }
     for (int k = 0; k < size; k++)
-      (share.outermost ? row(i)[1 + k] : stress_of(i)[k]) += s[k] / sum;
+      (share.outermost ? row(i)[SPREAD + k] : stress_of(i)[k]) += s[k] / sum;
   }
   send(PRESSES);
 
   near.clear();
   std::vector<Pressed> members;
   std::vector<double> spread;
-  for (const int i : find_pressed(sharing)) {
+  std::vector<int> list = find_pressed(sharing);
+  list.insert(list.end(), touching.begin(), touching.end());
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  for (const int i : list) {
     const int first = near.size();
     add_near(i);
     double most = 0.0, sum[6] = {};
     for (size_t n = first; n < near.size(); n++) {
       const double *his = row(near[n].j);
-      most = std::max(most, his[0]);
-      for (int k = 0; k < size; k++) sum[k] += near[n].mass * his[1 + k];
+      most = std::max(most, his[BY_SURFACE]);
+      for (int k = 0; k < size; k++) sum[k] += near[n].mass * his[SPREAD + k];
     }
-    members.push_back({i, first, (int) near.size(), bearable(i) ? most : 0.0});
+    members.push_back({i, first, (int) near.size(), most});
     spread.insert(spread.end(), sum, sum + size);
   }
   const auto add = [&](const std::vector<double> &change) {
@@ -212,10 +220,13 @@ void PairTMSPH::add_surface_stress()
     std::vector<double> change(members.size() * size, 0.0);
     for (size_t m = 0; m < members.size(); m++) {
       const double *mine = stress_of(members[m].i);
+      const double touched = round == 0 ? row(members[m].i)[BY_CONTACT] : 0.0;
+      if (!bearable(members[m].i)) continue;
       for (int n = members[m].first; n < members[m].last; n++) {
-        if (members[m].part == 0.0 || !bearable(near[n].j)) continue;
-        const double *his = stress_of(near[n].j);
-        const double part = members[m].part * near[n].mass;
+        const int j = near[n].j;
+        const double average = std::max(members[m].part, touched * row(j)[BY_CONTACT]);
+        if (average == 0.0 || !bearable(j)) continue;
+        const double *his = stress_of(j), part = average * near[n].mass;
         for (int k = 0; k < size; k++) change[m * size + k] += part * (his[k] - mine[k]);
       }
     }
