@@ -54,6 +54,8 @@ class Disc:
         touching = f"variable friction index {friction}\n" if friction is not None else ""
         scene = Script(f"variable seed index {seed}\nvariable mi index {MI}\n{touching}"
                        f"variable swap index {'yes' if swapped else 'no'}\nvariable dump index 0\n"
+                       # each restart file makes a quasi-static run begin its search anew
+                       "variable restart index 0\n"
                        f"variable quasistatic index {'yes' if quasistatic else 'no'}\n"
                        f"variable dx index {SPACING}\nshell cd examples/disc\ninclude in.disc\n"
                        "shell cd ../..", {name: (ROOT / name).read_text() for name in EXAMPLE})
