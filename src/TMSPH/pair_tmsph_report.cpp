@@ -85,8 +85,8 @@ void PairTMSPH::check_timestep(const std::string &doubt)
                update->dt, stable_dt, FRACTURE_MARGIN * stable_dt);
   if (break_test && update->dt > FRACTURE_MARGIN * intact_dt && comm->me == 0)
     error->warning(FLERR,
-                   "The time step {} may become unstable as bonds break: with fracture keep it "
-                   "below {:.2g}",
+                   "The time step {:.4g} may become unstable as bonds break: with fracture keep it "
+                   "below {:.4g}",
                    update->dt, FRACTURE_MARGIN * intact_dt);
   if (break_test && !on.viscosity && comm->me == 0)
     error->warning(FLERR, "Bonds that break without artificial viscosity can feed energy: add "
