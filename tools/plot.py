@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Pictures of what a run left in a folder: maps of the fields, curves of the tables, energies of the
-log, directions and numbers of the break events.
+"""Pictures of what a run left in a folder: maps of the fields, curves of the tables, energies of
+the log, directions and numbers of the break events.
 
 usage: plot.py FOLDER [options]            (./tmsph plot FOLDER [options] does the same)
 
 Written are, in the folder:
   plot.FIELD.png               a map of each field in the last frame of dump.*, beside walls; with
                                several dumps plot.DUMP.FIELD.png
-  plot.TABLE.png               curves of TABLE.txt, a table of fix ave/time or a profile of ave/chunk
+  plot.TABLE.png               curves of TABLE.txt, a table of fix ave/time or a profile of
+                               fix ave/chunk
   plot.energy.png              energies of log.lammps, columns whose names end with _J
   plot.rose.png, plot.events.png   directions and cumulative number of the events in events.txt
   plot.movie.mp4               with --movie, where ffmpeg is installed
@@ -25,9 +26,10 @@ options:
   --maps              maps only
   --out PREFIX        (default FOLDER/plot)
 
-A column of a dump is a length, stress or velocity by its name, in the units si. Columns of tables are
-called by what they hold and its unit, such as crack_area_m2. In a table the first column, or the
-second if the first is the step, is drawn against all others, and it is the title of maps at its steps.
+A column of a dump is a length, stress or velocity by its name, in the units si. Columns of tables
+are called by what they hold and its unit, such as crack_area_m2. In a table the first column, or
+the second if the first is the step, is drawn against all others, and it is the title of maps at its
+steps.
 """
 import argparse
 import re
@@ -62,12 +64,16 @@ def tables(folder):
         with lammps_files.opened(path) as file:
             first = file.readline().split()
             remark = row = file.readline()
+            if first[:2] == ["#", "Time-averaged"]:    # without title1: names by LAMMPS
+                first, remark = remark.lstrip("# ").split(), ""
             while row.startswith("#"):
                 row = file.readline()
         row = row.split()
-        if len(row) == len(first) > 1 and all(word.isidentifier() for word in first) and (
-                all(map(lammps_files.is_number, row))):
-            found[path.stem] = (lammps_files.averages(path),
+        named = first[:1] == ["TimeStep"] or all(word.isidentifier() for word in first)
+        if len(row) == len(first) > 1 and named and all(map(lammps_files.is_number, row)):
+            columns = lammps_files.averages(path)
+            found[path.stem] = ({name.replace("TimeStep", "step"): columns[name]
+                                 for name in columns},
                                 remark.lstrip("# ").strip() if remark.startswith("#") else "")
     return found
 
@@ -92,7 +98,8 @@ class Titles:
         self.table = next((columns for columns, _ in known.values() if "step" in columns
                            and len(columns) > 1), None)
         names = [name for columns, _ in known.values() for name in columns]
-        names += [name for path in files(folder, "profile*.txt") for name in lammps_files.profiles(path)[0]]
+        names += [name for path in files(folder, "profile*.txt")
+                  for name in lammps_files.profiles(path)[0]]
         units = [lammps_files.quantity(name)[1] for name in names]
         self.degrees = next((unit for unit in units if unit in ("C", "K")), "")
 
@@ -148,7 +155,11 @@ def draw_maps(folder, path, name, arguments, titles):
                 caption, walls)
 
     fields = chosen_fields(arguments, shown, path)
-    if not fields:
+    have = list(shown[-1].columns)
+    if not fields and not set(bodies.FIELDS) & set(have):
+        print(f"no maps of {path}: it has none of the columns {' '.join(bodies.FIELDS)}; name them "
+              f"by dump_modify colname, or give --field with some of {' '.join(have)}")
+    elif not fields:
         print(f"no maps of {path}: its fields are the same everywhere; name some with --field")
     for field in fields:
         maps.draw_map(f"{arguments.out}.{field}.png", *drawing(field, view, shown))
@@ -177,14 +188,16 @@ def draw_events(path, out, degrees):
     total = np.arange(1, len(x) + 1)
     curves.draw_curves(f"{out}.events.png",
                        {name: x[order], "all_broken_bonds": total, "in_tension": total - shear,
-                        "in_shear": shear, "energy_of_the_bonds_J": np.cumsum(events.energy[order])},
+                        "in_shear": shear,
+                        "energy_of_the_bonds_J": np.cumsum(events.energy[order])},
                        "break events, added up")
 
 
 def draw_tables(folder, out, known):
     title = folder.resolve().name
     for name, (columns, remark) in known.items():
-        curves.draw_curves(f"{out}.{name}.png", columns, f"{title}, {name}.txt" + (f"\n{remark}" if remark else ""))
+        curves.draw_curves(f"{out}.{name}.png", columns,
+                           f"{title}, {name}.txt" + (f"\n{remark}" if remark else ""))
     for path in files(folder, "profile*.txt"):
         names, found = lammps_files.profiles(path)
         curves.draw_profiles(f"{out}.{path.stem}.png", names, found, f"{title}, {path.name}")
@@ -199,7 +212,8 @@ def draw_tables(folder, out, known):
 
 
 def main(words):
-    parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0], add_help=False)
+    parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0],
+                                     add_help=False)
     parser.add_argument("folder", nargs="?")
     parser.add_argument("--field", nargs="+")
     parser.add_argument("--step", nargs="+", type=int)
@@ -224,7 +238,8 @@ def main(words):
             stop(f"--section {arguments.section}: give x, y or z, with =VALUE behind it or not")
     if arguments.range:
         low, _, high = arguments.range.partition(":")
-        if not (lammps_files.is_number(low) and lammps_files.is_number(high)) or float(low) >= float(high):
+        numbers = lammps_files.is_number(low) and lammps_files.is_number(high)
+        if not numbers or float(low) >= float(high):
             stop(f"--range={arguments.range}: give LOW:HIGH, such as --range=-1e7:1e7")
         arguments.range = float(low), float(high)
     arguments.out = arguments.out or str(folder / "plot")
@@ -232,8 +247,8 @@ def main(words):
     dumps = [path for path in files(folder, "dump.*") if bodies.steps(path)]
     events = folder / "events.txt"
     if not dumps and not known and not events.exists():
-        stop(f"{folder} has no dump.* with a complete frame of particles, no table *.txt and no events.txt: "
-             "run an input there")
+        stop(f"{folder} has no dump.* with a complete frame of particles, no table *.txt and no "
+             "events.txt: run an input there")
     titles, out = Titles(folder, known), arguments.out
     for path in dumps:
         name = path.name[len("dump."):] if len(dumps) > 1 else ""

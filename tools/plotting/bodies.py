@@ -8,14 +8,16 @@ from lammps_files import stop
 FIELDS = ("damage", "temperature", "displacement", "s1", "s3")    # drawn if nothing is asked for
 LONG = {"damage": "damage: share of broken bonds", "temperature": "temperature",
         "displacement": "displacement", "s1": "largest principal stress, tension positive",
-        "s3": "smallest principal stress, tension positive", "strength": "uniaxial compressive strength",
+        "s3": "smallest principal stress, tension positive",
+        "strength": "uniaxial compressive strength",
         "hoop": "hoop stress, tension positive", "radial": "radial stress, tension positive",
         "vonmises": "equivalent stress of von Mises", "smean": "mean stress, tension positive",
         **{f"s{ab}": f"stress {ab}, tension positive" for ab in "xx yy zz xy xz yz".split()}}
 UNIT = {**{name: "Pa" for name in LONG if "stress" in LONG[name] or name == "strength"},
         **{name: "m" for name in ("displacement", "ux", "uy", "uz", "x0", "y0", "z0", "radius")},
         **{name: "m/s" for name in ("vx", "vy", "vz")}}
-PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n"))
+PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "\u00b5"),
+            (1e-9, "n"))
 BASE = {"mm": ("m", 1e-3), "ms": ("s", 1e-3), "MPa": ("Pa", 1e6), "kN": ("N", 1e3)}
 AREAS = ((1.0, "m\u00b2"), (1e-4, "cm\u00b2"), (1e-6, "mm\u00b2"))
 
@@ -28,7 +30,8 @@ def scaled(unit, largest):
         return factor * size, unit
     shown = lammps_files.UNITS.get(unit, unit)
     if unit == "m2":
-        return next(((1 / size, name) for size, name in AREAS if largest >= size), (1e6, AREAS[-1][1]))
+        return next(((1 / size, name) for size, name in AREAS if largest >= size),
+                    (1e6, AREAS[-1][1]))
     if unit not in ("m", "Pa", "N", "J", "W", "N_per_m", "J_per_m", "s") or not largest > 0:
         return 1.0, shown
     for size, prefix in PREFIXES:
@@ -58,7 +61,8 @@ class Body:
         self.radius = self.columns.get("radius")
         if self.radius is None or not self.radius.all():
             from scipy.spatial import cKDTree
-            self.radius = np.full(len(table), 0.5 * np.median(cKDTree(self.X).query(self.X, 2)[0][:, 1]))
+            nearest = cKDTree(self.X).query(self.X, 2)[0][:, 1]
+            self.radius = np.full(len(table), 0.5 * np.median(nearest))
         if not np.isfinite(self.places(1)).all() or not np.isfinite(self.radius).all():
             stop(f"particles without a place or a radius at step {step}: dump x y z and radius")
 

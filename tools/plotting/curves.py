@@ -41,15 +41,16 @@ def draw_curves(path, columns, title):
         return
     wide = min(len(groups), 2)
     high = -(-len(groups) // wide)
-    figure, axes = plt.subplots(high, wide, squeeze=False, figsize=(4.6 * wide + 0.4, 3.2 * high + 0.4),
-                                layout="constrained")
+    figure, axes = plt.subplots(high, wide, squeeze=False, layout="constrained",
+                                figsize=(4.6 * wide + 0.4, 3.2 * high + 0.4))
     for ax in axes.ravel()[len(groups):]:
         ax.axis("off")
     for ax, (kind, members) in zip(axes.ravel(), groups.items()):
         factor, shown = model.scaled(kind, max(np.abs(columns[name]).max() for name in members))
         for k, name in enumerate(members):    # the first is wide, as others may lie on it
             label = text(quantity(name)[0])
-            style = dict(color="black", ls="--", lw=1) if "exact" in label else dict(lw=max(1.2, 2.6 - k))
+            style = (dict(color="black", ls="--", lw=1) if "exact" in label
+                     else dict(lw=max(1.2, 2.6 - k)))
             ax.plot(x, columns[name] * factor, label=label, **style)
         whole = all(np.all(columns[name] == np.rint(columns[name])) for name in members)
         single = text(quantity(members[0])[0])
@@ -69,7 +70,8 @@ def draw_profiles(path, names, found, title):
     """The last column against the second, for some of the steps."""
     if not found:
         return
-    chosen = [found[k] for k in sorted(set(np.linspace(0, len(found) - 1, min(MOST, len(found))).astype(int)))]
+    places = np.linspace(0, len(found) - 1, min(MOST, len(found))).astype(int)
+    chosen = [found[k] for k in sorted(set(places))]
     figure, ax = plt.subplots(figsize=(5, 3.6), layout="constrained")
     for step, rows in chosen:
         rows = rows[rows[:, 2] > 0]

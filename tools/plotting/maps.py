@@ -12,10 +12,10 @@ from .save import save
 
 PIXELS = 700           # along the longer side of a body
 # A pixel is in the body if a particle is near, or if it is between particles: one less far than the
-# corner of its cell, in 2-D at 1.41, in 3-D at 1.73, and another one, or two. Along a row of particles
-# that makes a straight edge, 1.05 to 1.13 from their centres; in radii
+# corner of its cell, in 2-D at 1.41, in 3-D at 1.73, and another one, or two. Along a row of
+# particles that makes a straight edge, 1.05 to 1.13 from their centres; in radii
 NEAR = 1.13
-BETWEEN = {2: (1.45, 1, 2.3), 3: (1.75, 2, 2.5)}    # corner, which other one, how far that is at most
+BETWEEN = {2: (1.45, 1, 2.3), 3: (1.75, 2, 2.5)}    # corner, which other one, how far at most
 LEVELS = 25            # colours: odd, so that zero has one between two signs
 DAMAGED = 0.6          # beside a straight crack damage is 0.4, where cracks meet more
 PANEL = 3.3            # width of a picture, inches
@@ -33,7 +33,8 @@ class View:
         first, last = places[:, self.axis].min(), places[:, self.axis].max()
         self.at = float(at) if at else 0.5 * (first + last)
         if not self.flat and not first <= self.at <= last:
-            stop(f"--section {section} is beside the body, which is from {first:.4g} to {last:.4g} m there")
+            stop(f"--section {section} is beside the body, which is from {first:.4g} to "
+                 f"{last:.4g} m there")
         edge = NEAR * max(body.radius.max() for body in shown)
         self.low = places[:, self.plane].min(axis=0) - edge
         self.high = places[:, self.plane].max(axis=0) + edge
@@ -49,15 +50,16 @@ class View:
         if self.flat:
             places[:, 2] = 0.0
         corner, other, far = BETWEEN[body.dimension]
-        distance, owner = cKDTree(places).query(points, 3, distance_upper_bound=far * body.radius.max())
+        reach = far * body.radius.max()
+        distance, owner = cKDTree(places).query(points, 3, distance_upper_bound=reach)
         owner[np.isinf(distance)] = 0
         distance /= body.radius[owner[..., :1]]
-        inside = (distance[..., 0] < NEAR) | ((distance[..., 0] < corner) & (distance[..., other] < far))
-        return np.where(inside, owner[..., 0], -1)
+        between = (distance[..., 0] < corner) & (distance[..., other] < far)
+        return np.where((distance[..., 0] < NEAR) | between, owner[..., 0], -1)
 
 
 def limits(field, values):
-    """(low, high, name of the colours) for all values that are shown, but for a few extreme ones."""
+    """(low, high, name of the colours) for all values shown, but for a few extreme ones."""
     values = values[np.isfinite(values)]
     if field == "damage":
         return 0.0, DAMAGED, "damage"
@@ -65,7 +67,8 @@ def limits(field, values):
         most = np.percentile(np.abs(values), 99.5) or 1.0
         return -most, most, "coolwarm"
     low, high = np.percentile(values, 0.1), np.percentile(values, 99.9)
-    return low, high if high > low else low + 1.0, "inferno" if field == "temperature" else "viridis"
+    name = "inferno" if field == "temperature" else "viridis"
+    return low, high if high > low else low + 1.0, name
 
 
 def colours(name):
@@ -95,7 +98,8 @@ def draw_body(ax, view, body, colour_of, pieces):
                 color="dimgray", lw=3, solid_capstyle="butt")
     bar = nice(0.3 * size[0])
     below = low[1] - 0.03 * size.max()
-    ax.plot((view.low[0], view.low[0] + bar), (below, below), color="black", lw=3, solid_capstyle="butt")
+    ax.plot((view.low[0], view.low[0] + bar), (below, below), color="black", lw=3,
+            solid_capstyle="butt")
     factor, unit = model.scaled("m", bar)
     ax.text(view.low[0] + bar + 0.02 * size.max(), below, f"{bar * factor:g} {unit}", va="center")
     ax.set_xlim(low[0], high[0])
@@ -159,7 +163,8 @@ def draw_movie(path, view, shown, field, bounds, unit, titles, caption, walls):
         return
     figure = figure_for(view, 1)
     figure.get_layout_engine().set(rect=(0, 0, 1, 0.92))    # room for titles of two lines
-    writer = FFMpegWriter(fps=8, extra_args=["-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"])
+    even = "pad=ceil(iw/2)*2:ceil(ih/2)*2"
+    writer = FFMpegWriter(fps=8, extra_args=["-pix_fmt", "yuv420p", "-vf", even])
     with writer.saving(figure, path, 120):
         for body, title in zip(shown, titles):
             figure.clear()

@@ -138,6 +138,23 @@ def unfinished():
     report.true("a broken dump", "dump.x is broken" in said and said.count("\n") == 1, said.strip())
 
 
+def without_names():
+    """A table under the names of LAMMPS is drawn; a dump under its names is told to be without."""
+    bare = folder / "bare"
+    bare.mkdir()
+    (bare / "dump.body").write_text(
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ss ss pp\n0 1\n0 1\n0 1\n"
+        "ITEM: ATOMS id x y z c_field[1]\n1 0 0 0 1\n2 1 0 0 2\n")
+    (bare / "curve.txt").write_text("# Time-averaged data for fix curve\n# TimeStep f_hot f_rock[1]\n"
+                                    "0 20 0\n50 21 3\n100 22 5\n")
+    done = subprocess.run([sys.executable, ROOT / "tools/plot.py", bare], text=True,
+                          capture_output=True)
+    said, *drawn = done.stdout.splitlines()
+    report.true("curve under LAMMPS's names", drawn == [str(bare / "plot.curve.png")], "drawn")
+    report.true("dump without names of columns",
+                "dump_modify colname" in said and "c_field[1]" in said, said)
+
+
 def wrong():
     (folder / "empty").mkdir()
     for words, text in (((folder / "nowhere",), "no folder"), ((folder / "empty",), "run an input there"),
@@ -158,6 +175,7 @@ try:
     walls_for_paraview()
     pixels()
     units()
+    without_names()
     unfinished()
     wrong()
 finally:
