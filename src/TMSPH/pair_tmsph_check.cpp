@@ -97,9 +97,10 @@ void PairTMSPH::check_reach() const
       mine[3 + k] = std::max(mine[3 + k], -atom->x[i][k]);
     }
   MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_MAX, world);
-  double sizes[3], part = 1.0 / atom->natoms, spacing = 0.0;
-  for (int k = 0; k < D; k++) sizes[k] = all[k] + all[3 + k];
-  std::sort(sizes, sizes + D, std::greater<double>());
+  std::vector<double> sizes;
+  for (int k = 0; k < D; k++) sizes.push_back(all[k] + all[3 + k]);
+  std::sort(sizes.begin(), sizes.end(), std::greater<double>());
+  double part = 1.0 / atom->natoms, spacing = 0.0;
   for (int k = 0; k < D; k++) {
     part *= sizes[k];
     spacing = std::max(spacing, std::pow(part, 1.0 / (1 + k)));
