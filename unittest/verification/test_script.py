@@ -28,10 +28,10 @@ fi""",
     "ctest": 'echo "ctest $*"',
     "dpkg-query": '[ -n "${MISSING:-}" ] || for word; do echo "$word installed"; done',
     "apt-get": r"""case "$*" in
-  *indextargets*) echo "bookworm http://deb.debian.org/debian/ /etc/apt/x:1" ;;
+  *indextargets*) echo "bookworm http://mirror.example/debian/ /etc/apt/x:1" ;;
   *install*) echo "E: Unable to locate package cmake"; exit 100 ;;
-  *) echo "Err:1 http://deb.debian.org/debian bookworm InRelease"
-     echo "  Temporary failure resolving 'deb.debian.org'" ;; esac""",
+  *) echo "Err:1 http://mirror.example/debian bookworm InRelease"
+     echo "  Temporary failure resolving 'mirror.example'" ;; esac""",
     "apt-cache": "true",
     "curl": 'echo "curl: (6) Could not resolve host: github.com"; exit 6',
     "sudo": "exit 1",
