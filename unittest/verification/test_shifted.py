@@ -328,7 +328,8 @@ if __name__ == "__main__":
     report = Report()
     chosen = sys.argv[1:]
     for kind in FEATURES:
-        if not chosen or kind.__name__ in chosen:
+        # equilibria that break are in test_shifted_long.py
+        if kind.__name__ in chosen or (not chosen and kind is not Quasistatic):
             shifted(report, kind, bool(chosen))
     if not chosen or "slide" in chosen:
         renumbered(report)
