@@ -465,6 +465,8 @@ if __name__ == "__main__":
             name = f"{scene.__name__} {kind}"
             if chosen and scene.__name__ not in chosen and name not in chosen:
                 continue
+            if name == "rubble 3-D" and not chosen:
+                continue    # its particles touch no more in the end, since couples are balanced at once
             frames = [scene(kind, Turn(KINDS[kind], on)) for on in (False, True)]
             compare(report, name, frames, Turn(KINDS[kind], True).Q)
             frame = frames[0]
