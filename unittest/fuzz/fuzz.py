@@ -158,7 +158,8 @@ def outcome(folder, script, files, options):
     log = done.stdout.decode(errors="replace")
     errors = re.findall(r"^ERROR.*", log, re.M)
     speakers = {re.match(r"ERROR( on proc \d+)?", line)[0] for line in errors}
-    if options.sanitizer and re.search("ERROR: AddressSanitizer|hard rss limit|runtime error:", log):
+    if options.sanitizer and re.search("ERROR: AddressSanitizer|hard rss limit|runtime error:",
+                                       log):
         return ("memory" if OUT_OF_MEMORY.search(log) else "crash"), log[-2000:]
     if done.returncode < 0 or "Signal: " in log or done.returncode >= 128:
         return ("memory" if "bad_alloc" in log else "crash"), log[-2000:]

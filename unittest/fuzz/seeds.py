@@ -35,7 +35,8 @@ def head(dimension, more=""):
             f"comm_modify cutoff 7e-3\n{more}read_data cloud.data\n")
 
 
-WATCH = """compute p all tmsph/property/atom ux uy temperature damage nbond sxx syy sxy s1 vonmises radius
+WATCH = """compute p all tmsph/property/atom ux uy temperature damage nbond sxx syy sxy s1 \
+vonmises radius
 compute c all tmsph/crack
 compute d all tmsph/dt
 compute b all tmsph/bond/local id1 id2 state length stretch only all

@@ -84,7 +84,8 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
     out.energy.push_back(energy);
     PK[i] = P * inverse;
     out.F.push_back(F);
-    // with thermal bonds F is elastic; the whole one is (1 + a) F, and P belongs to it divided by 1 + a
+    // with thermal bonds F is elastic; the whole one is (1 + a) F, and P belongs to it divided by
+    // 1 + a
     const double stretch = on.thermal == TMSPH::ThermalStrain::BOND ? 1.0 + p[i].thermal : 1.0;
     out.cauchy.push_back((P / stretch) * (stretch * F).transpose() / (stretch * F).determinant());
   }

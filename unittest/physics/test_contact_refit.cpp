@@ -40,7 +40,8 @@ template <int D> struct Pair {
   ContactState<D> at(const double *x, const ContactPast &past) const
   {
     static constexpr double REST[9] = {};
-    const ContactEnd<D> low{REST, REST, REST, REST, 0.0, true}, high{x, REST, REST, REST, 0.0, true};
+    const ContactEnd<D> low{REST, REST, REST, REST, 0.0, true};
+    const ContactEnd<D> high{x, REST, REST, REST, 0.0, true};
     return contact_state<D>(surface, low, high, past, WendlandC2(), 0.0);
   }
 };

@@ -150,7 +150,8 @@ TEST(LatticeFaces, none)
 
   LatticeFaces<2> disorder(HORIZON);
   for (double angle = 0.0; angle < 6.0; angle += 0.7) {
-    const double X[3] = {(1.0 + 0.1 * angle) * std::cos(angle), (1.0 + 0.2 * angle) * std::sin(angle)};
+    const double X[3] = {(1.0 + 0.1 * angle) * std::cos(angle),
+                         (1.0 + 0.2 * angle) * std::sin(angle)};
     disorder.add(X);
   }
   EXPECT_FALSE(disorder.find(weight));

@@ -21,7 +21,8 @@ using Place = std::array<double, 2>;
 constexpr double HORIZON = 3.015;
 constexpr int N = 20;
 
-/// a block of N x N with a round hole in it; every other row shifted: the rows of a hexagonal lattice
+/// a block of N x N with a round hole in it; every other row shifted: the rows of a hexagonal
+/// lattice
 std::vector<Place> block_with_hole(bool hexagonal, double jitter)
 {
   std::mt19937 random(4711);

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double HORIZON = 3.015;
 
-/// bonds of a particle "depth" rows below the flat top of a lattice of spacing 1 whose rows go along
-/// x, y; "shift" moves every second row along x, "stretch" is the distance of rows
+/// bonds of a particle "depth" rows below the flat top of a lattice of spacing 1 whose rows go
+/// along x, y; "shift" moves every second row along x, "stretch" is the distance of rows
 template <int D> OwnSurface<D> bonds_below_flat(int depth, double shift = 0.0, double stretch = 1.0)
 {
   OwnSurface<D> own;

@@ -55,7 +55,8 @@ TEST(WallShape, DistanceOfPolylineIsTheLeastOfAllItsPoints)
   }
 }
 
-// a straight joint and a niche with three equally near sides, in many axes: round-off decides nothing
+// a straight joint and a niche with three equally near sides, in many axes: round-off decides
+// nothing
 TEST(WallShape, TiesAreDecidedAlikeInTurnedAxes)
 {
   const std::vector<Point> niche = {{-3, 0.5, 0}, {-2, 0.5, 0},  {-1, 0.5, 0}, {-0.5, 0.5, 0},

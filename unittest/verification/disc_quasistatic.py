@@ -13,7 +13,8 @@ STYLES = {"cg": "line forcezero dmax {dmax}", "fire": "dmax {dmax} tmax 1.0",
 
 
 def cracks():
-    print("| steps | draw | first break, C | 5 mm, C | rim, C | main cracks | bonds broken by 160 C "
+    print("| steps | draw | first break, C | 5 mm, C | rim, C | main cracks "
+          "| bonds broken by 160 C "
           "| by 200 C | by 260 C | force evaluations |")
     print("|" + "---|" * 10)
     for quasistatic in (False, True):

@@ -1,11 +1,11 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Work of RKL2 against explicit Euler steps at equal error, for the report: slabs of 100,000 particles,
-one whose ends are suddenly hot, one that cools by convection. Two errors are printed: that of the
-time steps, against RKL2 steps so many that they have none to speak of, and the whole one, against the
-exact solution, with the lattice's. The latter partly cancels that of explicit steps of the longest
-stable length, so equal errors are those of the time steps. For each number of RKL2 steps: how many times
-fewer applications of the operator and how much less time for heat than with explicit steps. It
-takes about ten minutes."""
+"""Work of RKL2 against explicit Euler steps at equal error, for the report: slabs of 100,000
+particles, one whose ends are suddenly hot, one that cools by convection. Two errors are printed:
+that of the time steps, against RKL2 steps so many that they have none to speak of, and the whole
+one, against the exact solution, with the lattice's. The latter partly cancels that of explicit
+steps of the longest stable length, so equal errors are those of the time steps. For each number of
+RKL2 steps: how many times fewer applications of the operator and how much less time for heat than
+with explicit steps. It takes about ten minutes."""
 
 from heat_scenes import *
 
@@ -25,7 +25,8 @@ def solve(case, method, steps):
     scene = Heated(cloud, f"{UNIFORM} subcycle {method}", conditions, start)
     T = scene.run_to(time, steps, columns="step f_heat[8]")
     run = scene.done
-    heat = float([line.split("|")[2] for line in run.log.splitlines() if line.startswith("Modify")][0])
+    heat = float([line.split("|")[2] for line in run.log.splitlines()
+                  if line.startswith("Modify")][0])
     return T, rms(T - exact(cloud.X[:, 0], time)), run.thermo("f_heat[8]")[-1], heat
 
 
@@ -39,8 +40,10 @@ for case in sys.argv[1:] or CASES:
     time, *_, numbers = CASES[case]
     lattice, floor, *_ = solve(case, "rkl2", MANY)
     print(f"{case}: {MANY} steps of RKL2: whole error {floor:.3e}", flush=True)
-    T, whole, sweeps, seconds = solve(case, "explicit", int(np.ceil(time / (0.999 * longest_step(case)))))
-    print(f"{sweeps:.0f} explicit steps: error {rms(T - lattice):.3e}, whole {whole:.3e}", flush=True)
+    T, whole, sweeps, seconds = solve(case, "explicit",
+                                      int(np.ceil(time / (0.999 * longest_step(case)))))
+    print(f"{sweeps:.0f} explicit steps: error {rms(T - lattice):.3e}, whole {whole:.3e}",
+          flush=True)
     for steps in numbers:
         T, whole, s, t = solve(case, "rkl2", steps)
         print(f"{steps} steps of RKL2: error {rms(T - lattice):.3e}, whole {whole:.3e}, "

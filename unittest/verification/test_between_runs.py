@@ -21,14 +21,16 @@ def blocks(gap):
 
 
 def forget_contact(report):
-    """A compute after the contact is gone has the stress by bonds alone, as in a run of no steps."""
+    """A compute after the contact is gone has the stress by bonds alone, as in a run of no
+    steps."""
     scene = blocks(0.0).add("fix touch all tmsph/contact\ncompute p all tmsph/property/atom syy\n"
                             "compute most all reduce max c_p")
     scene.thermo("step").add("run 0\ndisplace_atoms high move 0 -1e-5 0 units box\nrun 20")
     scene.add("unfix touch\nvariable now equal $(c_most)\n"
               "thermo_style custom step c_most v_now\nrun 0")
     last = scene.run()
-    report.true("stress after unfix tmsph/contact", last.thermo("c_most")[-1] == last.thermo("v_now")[-1]
+    report.true("stress after unfix tmsph/contact",
+                last.thermo("c_most")[-1] == last.thermo("v_now")[-1]
                 and last.thermo("c_most")[-1] != 0.0, "that of the bonds")
 
 
@@ -45,7 +47,8 @@ def leave_the_group(report):
     """Particles in contact that met after the first run may leave the group of the contact."""
     falls = blocks(3.2).add("velocity high set 0 -100 0 units box\ngroup touch union high low\n"
                             "fix touch touch tmsph/contact")
-    falls.thermo("step f_touch[8]").add("run 3000\nregion some block 0 5e-3 INF INF INF INF units box\n"
+    falls.thermo("step f_touch[8]").add("run 3000\n"
+                                        "region some block 0 5e-3 INF INF INF INF units box\n"
                                         "group touch clear\ngroup touch region some\nrun 10")
     before, after = (falls_run["f_touch[8]"][-1] for falls_run in falls.run().tables)
     report.within("pairs that touch after half of them left the group", after, 1, before - 1)
@@ -53,7 +56,8 @@ def leave_the_group(report):
 
 def leave_the_wall(report):
     """Particles that left the group of a wall are free of it from the setup of the next run on."""
-    press = blocks(0.0).add("group held union high low\nfix wall held tmsph/wall line 0 1e-5 1e-2 1e-5\n"
+    press = blocks(0.0).add("group held union high low\n"
+                            "fix wall held tmsph/wall line 0 1e-5 1e-2 1e-5\n"
                             "compute f all reduce sum fy")
     press.thermo("step c_f f_wall[2]").add("run 20\ngroup held clear\nrun 0")
     run = press.run()
@@ -64,7 +68,8 @@ def leave_the_wall(report):
 
 def delete_without_new_ids(report):
     """What touches goes on as if nothing had happened after particles far away were deleted."""
-    press = blocks(0.0).add("fix push high addforce 0 -1e4 0\nfix touch all tmsph/contact friction * * 0.4\n"
+    press = blocks(0.0).add("fix push high addforce 0 -1e4 0\n"
+                            "fix touch all tmsph/contact friction * * 0.4\n"
                             "fix wall all tmsph/wall line 0 0 1e-2 0 friction 0.3")
     press.thermo("step f_touch[2] f_wall[1] f_wall[2]").add(
         "run 100\nregion hole block 0 1e-3 4e-3 5e-3 INF INF units box\n"
@@ -96,7 +101,8 @@ def heated(before, after=""):
     scene = Scene(cloud, [material()]).add(
         "region side block INF 2.5e-3 INF INF INF INF units box\ngroup side region side\n"
         "variable T equal 100+step\ntimestep 1e-3")
-    return scene.add(before).add("fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850").add(after)
+    scene.add(before).add("fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850")
+    return scene.add(after)
 
 
 def order_of_boundaries(report):
@@ -112,11 +118,15 @@ def order_of_boundaries(report):
 
 
 def energies_in_variables(report):
-    """Variables of sources and boundaries may ask for energies on heat steps, whenever a run starts."""
-    for words, fix in (("source * v_given", ""), ("", "fix in all tmsph/heat/boundary flux v_given")):
+    """Variables of sources and boundaries may ask for energies on heat steps, whenever a run
+    starts."""
+    for words, fix in (("source * v_given", ""),
+                       ("", "fix in all tmsph/heat/boundary flux v_given")):
         scene = Scene(lattice("square", (8, 8), SPACING), [material()])
-        scene.add("compute energy all pe\nvariable given equal 1e6+c_energy\ntimestep 1e-8\nthermo 7\n"
-                  f"fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850 every 10 {words}\n{fix}\n"
+        scene.add("compute energy all pe\nvariable given equal 1e6+c_energy\n"
+                  "timestep 1e-8\nthermo 7\n"
+                  "fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850 every 10 "
+                  f"{words}\n{fix}\n"
                   "run 13\nrun 24")
         run = scene.run(may_fail=True)
         report.true(f"every 10, {words or fix}: energies", not run.failed, "are there")
@@ -143,10 +153,12 @@ def books(report):
                    "fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850\n"
                    "fix two all tmsph/heat/boundary flux 2e6\n"
                    "fix one side tmsph/heat/boundary flux -1e6", run.kept)
-    again.add(f"thermo_style custom {columns} f_one[2] f_two[2]\nthermo_modify format float %.17g\nrun 0")
+    again.add(f"thermo_style custom {columns} f_one[2] f_two[2]\n"
+              "thermo_modify format float %.17g\nrun 0")
     restarted = again.run().tables[-1]
     for name in restarted:
-        report.below(f"{name} after a restart", abs(restarted[name][-1] - third[name][-1]) / scale, 1e-14)
+        report.below(f"{name} after a restart", abs(restarted[name][-1] - third[name][-1]) / scale,
+                     1e-14)
 
 
 def late_contact(report):
@@ -164,7 +176,8 @@ def late_contact(report):
 
 
 def balanced(report):
-    """fix balance moves particles between processors, not the box: quasi-static steps leave it alone."""
+    """fix balance moves particles between processors, not the box: quasi-static steps leave it
+    alone."""
     scene = heated("").add("unfix heat\nfix ramp all tmsph/heat/boundary temperature v_T\n"
                            "fix even all balance 10 1.05 shift xy 5 1.05\ntmsph/quasistatic 2")
     report.true("tmsph/quasistatic with fix balance", not scene.run(may_fail=True).failed, "runs")
@@ -174,7 +187,8 @@ def without_setup(report):
     """A restart that a run without setup wrote continues to the last bit."""
     fixes = "fix push high addforce 0 -1e4 0\nfix touch all tmsph/contact friction * * 0.4\n" \
         "fix wall all tmsph/wall line 0 0 1e-2 0 friction 0.3\ntimestep 1e-8\n" \
-        "thermo_style custom step pe ke f_touch[2] f_wall[2]\nthermo_modify norm no format float %.17g\n"
+        "thermo_style custom step pe ke f_touch[2] f_wall[2]\n" \
+        "thermo_modify norm no format float %.17g\n"
     whole = blocks(0.0).add(f"{fixes}restart 15 *.rst\nrun 10\nrun 10 pre no").run(keep="15.rst")
     rest = Script(f"read_restart 15.rst\nfix 1 all nve\n{fixes}run 5", whole.kept).run()
     for name in rest.tables[0]:
@@ -194,17 +208,20 @@ STARTS = ("run 0", "run 1", "minimize 0 0 1 1", "tmsph/quasistatic 1")
 
 
 def stretched():
-    """A block of type 1 with some of type 3, stretched after a first run; type 2 is denser and stiffer."""
+    """A block of type 1 with some of type 3, stretched after a first run; type 2 is denser and
+    stiffer."""
     cloud = lattice("square", (8, 6), SPACING)
     cloud.type[cloud.X[:, 1] > 3e-3] = 3
     materials = [material(), material(80e9, density=5400), material()]
-    scene = Scene(cloud, materials).add("fix 1 all nve\ntimestep 1e-8\nrun 0\nvariable X atom x*1.001\n"
+    scene = Scene(cloud, materials).add("fix 1 all nve\ntimestep 1e-8\nrun 0\n"
+                                        "variable X atom x*1.001\n"
                                         "set group all x v_X")
     return scene
 
 
 def matter(report):
-    """What set and pair_coeff change after the first run agrees at the start of the next one, or is refused."""
+    """What set and pair_coeff change after the first run agrees at the start of the next one, or is
+    refused."""
     for change, words in MIDRUN:
         for start in STARTS:
             run = stretched().add(f"{change}\n{start}").run(may_fail=True)
@@ -222,7 +239,8 @@ def matter(report):
     scene = stretched().thermo("step pe").add("run 0\nset group all type 2 mass 5.4e-3\nrun 0\n"
                                               "pair_coeff 2 2 elastic 40e9 0.3 density 5400\nrun 0")
     energies = [table["PotEng"][-1] for table in scene.run().tables[1:]]
-    report.below("energy with a stiffer type and its mass", abs(energies[1] / energies[0] - 2), 1e-12)
+    report.below("energy with a stiffer type and its mass", abs(energies[1] / energies[0] - 2),
+                 1e-12)
     report.below("energy with other elastic constants", abs(energies[2] / energies[0] - 1), 1e-12)
 
 

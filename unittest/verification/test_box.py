@@ -1,6 +1,6 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""A box that fixes change while bonds or contacts reach across its periodic faces: fields, lists and
-forces are those of homogeneous deformation everywhere."""
+"""A box that fixes change while bonds or contacts reach across its periodic faces: fields, lists
+and forces are those of homogeneous deformation everywhere."""
 
 from tmsph_testing import *
 
@@ -11,7 +11,8 @@ YOUNG, POISSON = 40e9, 0.25
 def body(dimension, fixes, pair=""):
     """Fills a box that is periodic in all directions."""
     cells = (20, 8) if dimension == 2 else (9, 7, 7)
-    cloud = lattice("square" if dimension == 2 else "sc", cells, SPACING, periodic="xyz"[:dimension])
+    cloud = lattice("square" if dimension == 2 else "sc", cells, SPACING,
+                    periodic="xyz"[:dimension])
     return Scene(cloud, [material(YOUNG, POISSON)], pair=pair).add(f"fix move all nve\n{fixes}")
 
 
@@ -41,11 +42,13 @@ def uniform(report, what, run, bar):
         expected = stress(lx / run.tables[0]["Lx"][0] - 1)
         scale = abs(expected).max()
         for column in ("c_low", "c_high"):
-            report.below(f"{name}: {column} of sxx", abs(table[column] - expected).max() / scale, bar)
+            report.below(f"{name}: {column} of sxx", abs(table[column] - expected).max() / scale,
+                         bar)
         spread = abs(table["c_more"] - table["c_less"]).max() / abs(table["c_more"]).max()
         report.below(f"{name}: stress/atom", spread, bar)
         stretch = lx[-1] / run.tables[0]["Lx"][0] - 1
-        report.below(f"{name}: longest bond", abs(table["c_long"][-1] - stretch) / abs(stretch), bar)
+        report.below(f"{name}: longest bond", abs(table["c_long"][-1] - stretch) / abs(stretch),
+                     bar)
 
 
 def remapped_positions(report):
@@ -60,7 +63,8 @@ def pressed(report):
     """Fix press/berendsen moves them too; the body is at rest but for that."""
     scene = body(2, "fix press all press/berendsen x 0 -1e8 1e-6 modulus 4.8e10").add(FIELDS)
     run = scene.thermo(COLUMNS, 10).add("timestep 1e-7\nrun 40\nrun 0").run()
-    report.above("press/berendsen: strain", abs(run.thermo("Lx", 0)[-1] / run.thermo("Lx", 0)[0] - 1), 1e-6)
+    report.above("press/berendsen: strain",
+                 abs(run.thermo("Lx", 0)[-1] / run.thermo("Lx", 0)[0] - 1), 1e-6)
     uniform(report, "press/berendsen", run, 1e-10)
 
 
@@ -74,7 +78,8 @@ def remapped_velocities(report):
             scene.add(f"variable vx atom {drift}+{RATE}*(x-0.5*lx)\nvelocity all set v_vx 0 NULL\n"
                       "compute push all reduce max fx")
             scene.thermo(COLUMNS + " c_push", 100).add("timestep 2e-8\nrun 400")
-            # at the start of a run 0 LAMMPS leaves particles that cross a face their former velocity
+            # at the start of a run 0 LAMMPS leaves particles that cross a face their former
+            # velocity
             run = (scene if drift else scene.add("run 0")).run(ranks)
             what = f"remap v, viscosity {viscosity}, drift {drift}, {dimension}-D on {ranks}"
             uniform(report, what, run, 1e-10)
@@ -84,8 +89,8 @@ def remapped_velocities(report):
 
 
 def contact(report):
-    """Two bodies that touch across faces of a box that becomes shorter and wider, homogeneously: they
-    press and rub as if the faces were elsewhere, or farther apart."""
+    """Two bodies that touch across faces of a box that becomes shorter and wider, homogeneously:
+    they press and rub as if the faces were elsewhere, or farther apart."""
     results = []
     for shift, rows, ranks in ((0.0, 8, 1), (0.0, 8, 4), (3e-3, 8, 1), (0.0, 16, 1)):
         cloud = lattice("square", (10, rows), SPACING, periodic="xy")
@@ -96,10 +101,12 @@ def contact(report):
             f"fix shrink all deform 1 x erate -{RATE} y erate {RATE} remap v")
         scene.add(f"variable vx atom -{RATE}*(x-0.5*lx)\nvariable vy atom {RATE}*(y-0.5*ly)\n"
                   "velocity all set v_vx v_vy NULL")
-        run = scene.thermo("step f_touch[7] f_touch[10]", 100).add("timestep 2e-8\nrun 100").run(ranks)
+        scene.thermo("step f_touch[7] f_touch[10]", 100)
+        run = scene.add("timestep 2e-8\nrun 100").run(ranks)
         results.append(np.array([run.thermo(f"f_touch[{k}]")[-1] / rows for k in (7, 10)]))
     report.above("contact: normal forces", results[0][1], 0.0)
-    for what, other in zip(("on 4 processors", "across other faces", "with faces farther apart"), results[1:]):
+    for what, other in zip(("on 4 processors", "across other faces", "with faces farther apart"),
+                           results[1:]):
         for name, error in zip(("work of friction", "normal forces"), abs(other / results[0] - 1)):
             report.below(f"contact {what}: {name}", error, 1e-9)
 

@@ -1,9 +1,9 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""A closed flat cut through a block, in 2-D and 3-D, pressed and sheared with its faces stuck: as stiff
-as the uncut block. The outer layers are moved by a homogeneous strain; the uncut block
-follows it exactly. What is measured is the jump of the displacements across the cut, by
-lines through those on either side of it, in units of the strain and the spacing, and the
-stress on the plane of the cut of the particles near it, in units of the exact one."""
+"""A closed flat cut through a block, in 2-D and 3-D, pressed and sheared with its faces stuck: as
+stiff as the uncut block. The outer layers are moved by a homogeneous strain; the uncut block
+follows it exactly. What is measured is the jump of the displacements across the cut, by lines
+through those on either side of it, in units of the strain and the spacing, and the stress on the
+plane of the cut of the particles near it, in units of the exact one."""
 
 from tmsph_testing import *
 
@@ -83,7 +83,8 @@ def judge(report, what, block, shear):
     report.below(f"{what}: normal jump {normal:.4f}", abs(normal), 0.1)
     report.below(f"{what}: tangential jump {tangential:.4f}", abs(tangential), 0.1)
     near = block.near()
-    for name, stress in (("pressure", block.pressure),) + ((("shear", block.shear),) if shear else ()):
+    sheared = [("shear", block.shear)] if shear else []
+    for name, stress in [("pressure", block.pressure)] + sheared:
         s = stress[near]
         report.within(f"{what}: mean {name} near the cut", s.mean(), 0.9, 1.1)
         single = f"{what}: {name} of single particles"

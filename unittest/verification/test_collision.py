@@ -25,7 +25,8 @@ class Pair:
         other = ball
         if method == "segment":
             other = lattice("hex", (25, 15), 0.8 * SPACING, centre=True).kept(
-                lambda X: np.abs(np.linalg.norm(X, axis=1) - 0.65 * self.radius) <= 0.35 * self.radius)
+                lambda X: np.abs(np.linalg.norm(X, axis=1) - 0.65 * self.radius)
+                <= 0.35 * self.radius)
         self.cloud = Cloud(np.concatenate([ball.X, other.X + away[:dimension]]), 0.0, SPACING)
         self.cloud.volume = np.concatenate([ball.volume, other.volume])
         self.second = np.arange(len(self.cloud)) >= len(ball)

@@ -28,7 +28,8 @@ scene.add(f"variable T equal {HEATED}*((step<{STEPS / 2})*step/{STEPS / 2}+(step
           "fix move all nve\nfix contact all tmsph/contact\n"
           f"timestep {0.6 * SPACING / wave:.6g}\n"
           "compute p all tmsph/property/atom sxx syy sxy")
-scene.thermo("step ke pe f_contact[8] f_contact[10] f_contact[1] f_contact[2] f_contact[6]", STEPS // 2)
+scene.thermo("step ke pe f_contact[8] f_contact[10] f_contact[1] f_contact[2] f_contact[6]",
+             STEPS // 2)
 scene.add(f"run {STEPS}").snapshot("end", "c_p[*]")
 run = scene.run()
 xx, yy, xy = run.frame("end")("c_p[1] c_p[2] c_p[3]").T

@@ -32,7 +32,8 @@ def state(report, what, direction, rock_words, rock, tags, zz=None):
     report.within(f"{name}: load factor at 0.999", run.thermo("f_hb[4]", 1)[-1], 0.9989, 0.9991)
     if tags:
         tension, shear = run.thermo("f_hb[1]", 2)[-1], run.thermo("f_hb[2]", 2)[-1]
-        report.within(f"{name}: share in {tags}", (tension if tags == "tension" else shear) / above, 1, 1)
+        report.within(f"{name}: share in {tags}", (tension if tags == "tension" else shear) / above,
+                      1, 1)
 
 
 def states(report):
@@ -46,12 +47,12 @@ def states(report):
         rock = constants(gsi, disturbance)
         words = f"gsi * {gsi} disturbance * {disturbance}"
         for name, direction, tags in plane + space:
-            state(report, f"{len(direction)}-D, gsi {gsi}, D {disturbance}, {name}", direction, words,
-                  rock, tags)
+            state(report, f"{len(direction)}-D, gsi {gsi}, D {disturbance}, {name}",
+                  direction, words, rock, tags)
     # out of the plane: szz = nu (sxx + syy)
     for name, direction, tags in plane:
-        state(report, f"all principals, {name}", direction, "principal all", constants(100, 0), tags,
-              0.3 * sum(direction))
+        state(report, f"all principals, {name}", direction, "principal all", constants(100, 0),
+              tags, 0.3 * sum(direction))
 
 
 def closed_forms(report):
@@ -59,7 +60,8 @@ def closed_forms(report):
     rock = constants(100, 0)
     mb, s, a = rock
     report.below("uniaxial tension, bisection against closed form",
-                 abs(critical((1, 0), rock, 1.0) / (0.5 * (np.sqrt(mb**2 + 4 * s) - mb)) - 1), 1e-12)
+                 abs(critical((1, 0), rock, 1.0) / (0.5 * (np.sqrt(mb**2 + 4 * s) - mb)) - 1),
+                 1e-12)
     for gsi in (100, 75, 50):
         mb, s, a = rock = constants(gsi, 1)
         report.below(f"gsi {gsi}, compression s^a and biaxial tension s/mb, against closed form",

@@ -1,7 +1,7 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Walls and contact act after all other forces, wherever the input defines them: the same bits for
-every place of the package's fixes among LAMMPS's own. Those keep their order, which has a meaning in
-LAMMPS, as sums of floating-point numbers have."""
+every place of the package's fixes among LAMMPS's own. Those keep their order, which has a meaning
+in LAMMPS, as sums of floating-point numbers have."""
 
 import random
 
@@ -30,14 +30,16 @@ def others(dimension):
     """Fixes of LAMMPS that act on forces, in an order that is kept."""
     flat = ["fix flat all enforce2d"] if dimension == 2 else []
     down = "vector -0.5 -1 0" if dimension == 2 else "vector -0.5 0 -1"
-    return [f"fix weight all gravity 2e6 {down}", f"fix push high addforce {SPACING**dimension * 1e9:g} 0 0",
+    return [f"fix weight all gravity 2e6 {down}",
+            f"fix push high addforce {SPACING**dimension * 1e9:g} 0 0",
             f"fix drag all viscous {2700 * SPACING**dimension * 1e5:g}"] + flat
 
 
 def ours(dimension):
     floor, side = ("line 0 0 1 0", "line 0 1 0 -1") if dimension == 2 \
         else ("plane 0 0 0 0 0 1", "plane 0 0 0 1 0 0")
-    return [f"fix floor all tmsph/wall {floor} friction 0.3", f"fix side all tmsph/wall {side} friction 0.5",
+    return [f"fix floor all tmsph/wall {floor} friction 0.3",
+            f"fix side all tmsph/wall {side} friction 0.5",
             "fix touch all tmsph/contact friction * * 0.4",
             "fix rock all tmsph/hoekbrown strength * 3e7 mi * 8",
             "fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850 time/scale 1e3",
@@ -46,10 +48,12 @@ def ours(dimension):
 
 
 def mixed(dimension, seed, more=()):
-    """All fixes; LAMMPS's own stay in their order. Seed 0: walls and contact last, as once was a must."""
+    """All fixes; LAMMPS's own stay in their order. Seed 0: walls and contact last, as once was a
+    must."""
     if seed == 0:
         first = ours(dimension)
-        return first[3:6] + others(dimension) + list(more) + [first[2], first[0], first[1], first[6]]
+        return first[3:6] + others(dimension) + list(more) + [first[2], first[0], first[1],
+                                                              first[6]]
     draw = random.Random(seed)
     fixes = ours(dimension)
     draw.shuffle(fixes)
@@ -61,15 +65,18 @@ def mixed(dimension, seed, more=()):
     return fixes
 
 
-COLUMNS = "step pe ke f_floor[1] f_floor[2] f_floor[7] f_side[1] f_touch[2] f_touch[7] f_rock f_heat v_seen"
+COLUMNS = ("step pe ke f_floor[1] f_floor[2] f_floor[7] f_side[1] f_touch[2] f_touch[7] "
+           "f_rock f_heat v_seen")
 
 
 def outcome(scene, keep="mean.txt"):
-    scene.dump("end", "x y z vx vy vz fx fy fz", every=1000000).snapshot("end", "x y z vx vy vz fx fy fz")
+    scene.dump("end", "x y z vx vy vz fx fy fz",
+               every=1000000).snapshot("end", "x y z vx vy vz fx fy fz")
     run = scene.run(keep=keep)
     end = run.frame("end")
-    return run, (end("x y z vx vy vz fx fy fz").tobytes(), [sorted((k, v.tobytes()) for k, v in t.items())
-                                                            for t in run.tables], run.kept.get("mean.txt"))
+    return run, (end("x y z vx vy vz fx fy fz").tobytes(),
+                 [sorted((k, v.tobytes()) for k, v in t.items())
+                  for t in run.tables], run.kept.get("mean.txt"))
 
 
 def alike(report, what, make, seeds, moved):
@@ -93,7 +100,8 @@ def dynamics(dimension):
 
 
 def between_runs(seed):
-    """A force that comes between two runs, and a wall that is defined anew; seed 0: from the start."""
+    """A force that comes between two runs, and a wall that is defined anew; seed 0: from the
+    start."""
     scene = blocks(2)
     late = "fix late high addforce 0 -2e3 0"
     scene.add("\n".join(mixed(2, seed, [late.replace("-2e3", "0")])))
@@ -117,7 +125,8 @@ def restarts(report):
         rest = Script("read_restart r\ngroup high type 2\ntimestep 2e-8\nfix move all nve\n"
                       "variable seen equal f_floor[7]+f_touch[7]+f_floor[2]\n"
                       + "\n".join(mixed(2, seed + 7)), first.kept)
-        rest.add(f"thermo_style custom {COLUMNS}\nthermo_modify norm no format float %.17g\nthermo 20\nrun 40")
+        rest.add(f"thermo_style custom {COLUMNS}\nthermo_modify norm no format float %.17g\n"
+                 "thermo 20\nrun 40")
         table = rest.run().tables[0]
         same = all(table[name][-1] == whole.thermo(name)[-1] for name in table)
         report.true(f"restart in order {seed + 7} of a run in order {seed}", same, "same bits")

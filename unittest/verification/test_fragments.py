@@ -73,7 +73,8 @@ def check(report, what, made, breaks=0):
     speed = scale / (np.linalg.norm(scene.cloud.X, axis=1).mean())
     for ranks, run, kept in zip((1, 4), runs, columns):
         change = np.abs(kept - kept[0]).max(axis=0)
-        report.below(f"{what}, on {ranks}: change of velocity/speed", change[:3].max() / speed, KEPT)
+        report.below(f"{what}, on {ranks}: change of velocity/speed", change[:3].max() / speed,
+                     KEPT)
         report.below(f"{what}, on {ranks}: change of angular momentum/(m v r)",
                      change[3:].max() / (mass * scale), KEPT)
         energy = run.thermo("TotEng")

@@ -32,7 +32,8 @@ def bounded(report, what, cloud, words, boundary, low, high, length=0.0):
     run = scene.run()
     highest = run.thermo("c_hi").max() - high
     lowest = low - run.thermo("c_lo").min()
-    report.below(f"{what}, {method} {length or 0.99:g}: outside of the range on any of {STEPS} steps",
+    report.below(f"{what}, {method} {length or 0.99:g}: outside of the range on any "
+                 f"of {STEPS} steps",
                  max(highest, lowest), 1e-12)
 
 

@@ -1,7 +1,7 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Layers in series between two temperatures, steady: materials of conductivity 1:10 and 1:1000, an
-open crack, which lets nothing through, and a closed one with a film on it, which is a resistance
-in series. Two straight lines are exactly steady below a flat interface, but for the depths below it,
+open crack, which lets nothing through, and a closed one with a film on it, which is a resistance in
+series. Two straight lines are exactly steady below a flat interface, but for the depths below it,
 which are interpolated in a table of 100 steps. With "all": more resolutions, for the report."""
 
 from heat_scenes import *

@@ -1,6 +1,7 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Hollow cylinder, hot inside and cold outside: the steady temperature and the thermal stress of
-the coupled model against the closed form, in plane strain and plane stress. With "all": more resolutions and lattices, for the report."""
+the coupled model against the closed form, in plane strain and plane stress. With "all": more
+resolutions and lattices, for the report."""
 
 import sys
 

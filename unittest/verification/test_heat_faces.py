@@ -1,8 +1,9 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""The area that heat goes through is that of the body: faces that meet at corners and edges, convex and
-re-entrant, thin plates, lattices of several kinds, turned; the power of a flux is q times it. A field that
-a flux through two opposite faces of a block holds is linear and steady up to its corners. A square and
-a cube that cool by convection all around do so as their closed form, with an error of second order."""
+"""The area that heat goes through is that of the body: faces that meet at corners and edges, convex
+and re-entrant, thin plates, lattices of several kinds, turned; the power of a flux is q times it. A
+field that a flux through two opposite faces of a block holds is linear and steady up to its
+corners. A square and a cube that cool by convection all around do so as their closed form, with an
+error of second order."""
 
 from heat_scenes import *
 

@@ -112,8 +112,8 @@ def orthotropic(report, name, n):
 
 
 def disordered(report, n=40, jitter=0.2):
-    """A long wave in an irregular cloud decays as on the lattice. With the conductances of the kernel as
-    they are it would conduct 0.8 % less; what is left is the chance of a small sample."""
+    """A long wave in an irregular cloud decays as on the lattice. With the conductances of the
+    kernel as they are it would conduct 0.8 % less; what is left is the chance of a small sample."""
     cloud = periodic("square", n)
     _, q = wave(cloud, (1, 0))
     rate = discrete_rate(cloud, q)
@@ -126,9 +126,9 @@ def disordered(report, n=40, jitter=0.2):
 
 def linear(report, name, n, jitter):
     """A linear field in an irregular cloud that is held where it does not go on across the periodic
-    boundary stays as it is: conjugate gradients leave 1e-6 of the unevenness, which is of the order of
-    the slope times the spacing. With the conductances of the kernel as they are it changes by 13 to
-    30 % of what it changes over a spacing."""
+    boundary stays as it is: conjugate gradients leave 1e-6 of the unevenness, which is of the order
+    of the slope times the spacing. With the conductances of the kernel as they are it changes by 13
+    to 30 % of what it changes over a spacing."""
     cloud = periodic(name, n).jitter(jitter, 3)
     x = cloud.X[:, 0]
     scene = Heated(cloud, UNIFORM, start=x, conditions=(
@@ -159,6 +159,6 @@ sizes = {"square": (20, 40), "hex": (20, 40),
 for name, (coarse, fine) in sizes.items():
     errors = [orthotropic(report, name, n) for n in (coarse, fine)]
     report.below(f"orthotropic, {name}: error at {fine}", errors[1][0], 0.01 * (40 / fine) ** 2)
-    report.above(f"orthotropic, {name}: order", order([rate for _, rate in errors], fine / coarse)[0],
-                 1.9)
+    report.above(f"orthotropic, {name}: order",
+                 order([rate for _, rate in errors], fine / coarse)[0], 1.9)
 report.finish()

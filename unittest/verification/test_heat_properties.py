@@ -92,7 +92,8 @@ def tables(report):
         scene.files.update(files)
         T = scene.run_to(3.0, 60, columns="step f_b[1]")
         exact = np.sqrt(1 + 3 * cloud.X[:, 0]) - 1
-        errors.append(max(rms(T - exact), abs(scene.done.thermo("f_b[1]")[-1] / cloud.box[1][1] - 1.5)))
+        errors.append(max(rms(T - exact),
+                          abs(scene.done.thermo("f_b[1]")[-1] / cloud.box[1][1] - 1.5)))
     report.note("conductivity from a table: errors", listed(errors))
     report.below("conductivity from a table: error at 40", errors[1], 1e-3)
     report.above("conductivity from a table: order", order(errors)[0], 1.9)
@@ -102,7 +103,8 @@ def tables(report):
     scene.files.update(files)
     T = scene.run_to(1.0, 4, columns="step f_heat")
     # enthalpy T + T^2/2 = 1.2: inside the table
-    report.below("specific heat from a table: temperature", np.abs(T - (np.sqrt(3.4) - 1)).max(), 1e-12)
+    report.below("specific heat from a table: temperature", np.abs(T - (np.sqrt(3.4) - 1)).max(),
+                 1e-12)
 
 
 def without_heat(report):

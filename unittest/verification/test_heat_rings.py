@@ -1,8 +1,9 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Hollow cylinder of particles in rings, whose surfaces are true circles, with given temperatures
 at both, steady: conduction, expansion and equilibrium together, up to the first break, against the
-closed form (Timoshenko, Goodier, Theory of elasticity). test_heat_cylinder does it on lattices, whose
-surfaces are steps. Stresses are in units of the largest one, the hoop stress at the inner surface.
+closed form (Timoshenko, Goodier, Theory of elasticity). test_heat_cylinder does it on lattices,
+whose surfaces are steps. Stresses are in units of the largest one, the hoop stress at the inner
+surface.
 
 Bars: 2 % with 40 particles across the wall, one horizon and more from the surfaces. At 0.3 of the
 wall from them and more, where the surface layer stays out at every spacing, the root mean square
@@ -19,7 +20,8 @@ ROCK = material(40e9, 0.3, 2700.0, 1e-5)
 STRENGTH, MI = 200e6, 29.0
 TENSILE = STRENGTH / 2 * (np.sqrt(MI**2 + 4) - MI)
 CONDUCTIVITY, HEAT = 3.0, 800.0
-TIME = 2.5 * (OUTER - INNER) ** 2 / (CONDUCTIVITY / ROCK["density"] / HEAT)    # exp(-24) from steady
+# exp(-24) from steady
+TIME = 2.5 * (OUTER - INNER) ** 2 / (CONDUCTIVITY / ROCK["density"] / HEAT)
 
 
 def rings(n):

@@ -1,10 +1,10 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Conduction against closed forms: a slab with both ends suddenly hot (Dirichlet), a plate with
 unit flux on one side (Neumann), a slab that cools by convection (Robin), on lattices in 2-D and
-3-D: second order. Jittered particles, whose surfaces are rough: first order at least, with areas that
-are found and areas that are given; all errors below that of a surface half a spacing off. Errors are
-root mean squares over the particles; those of jittered ones also over draws, whose chance counts.
-With "all": every resolution, for the report."""
+3-D: second order. Jittered particles, whose surfaces are rough: first order at least, with areas
+that are found and areas that are given; all errors below that of a surface half a spacing off.
+Errors are root mean squares over the particles; those of jittered ones also over draws, whose
+chance counts. With "all": every resolution, for the report."""
 
 from heat_scenes import *
 
@@ -48,7 +48,8 @@ for case, (*_, bar) in CASES.items():
         report.note(f"{case}, {name}: errors", listed(errors))
         report.above(f"{case}, {name}: lowest order", orders.min(), 1.9)
         report.below(f"{case}, {name}: error at 80", errors[-1], bar)
-        report.below(f"{case}, {name}: area of the surface/exact - 1", np.abs(areas - 1).max(), 1e-6)
+        report.below(f"{case}, {name}: area of the surface/exact - 1", np.abs(areas - 1).max(),
+                     1e-6)
     errors = [solve(case, slab(n, "sc"))[0] for n in (10, 20)]
     report.note(f"{case}, sc in 3-D: errors", listed(errors))
     report.above(f"{case}, sc in 3-D: order", order(errors)[0], 1.9)
@@ -56,7 +57,8 @@ for case, (*_, bar) in CASES.items():
     sizes = (10, 20, 40, 80) if thorough else (10, 20, 40)
     for words, areas_are in (("", "found"), (" area {area}", "given")):
         clouds = [[slab(n, "square", JITTER, width=n, draw=draw) for n in sizes] for draw in DRAWS]
-        solved = np.array([[solve(case, cloud, " region body" + words) for cloud in row] for row in clouds])
+        solved = np.array([[solve(case, cloud, " region body" + words) for cloud in row]
+                           for row in clouds])
         errors = np.sqrt(np.mean(solved[..., 0] ** 2, axis=0))
         name = f"{case}, jittered by {JITTER}, areas {areas_are}"
         report.note(f"{name}: errors", listed(errors))

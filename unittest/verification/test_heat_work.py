@@ -1,8 +1,8 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Work that becomes heat. A vibrating block with viscosity: kinetic, elastic energy and heat
-add up to what they were, with an error in proportion to the time step, since the law takes the
-velocity of half a step before. A block that hits another and slides on it: heat gained is the work of
-friction, to the last digits."""
+"""Work that becomes heat. A vibrating block with viscosity: kinetic, elastic energy and heat add up
+to what they were, with an error in proportion to the time step, since the law takes the velocity of
+half a step before. A block that hits another and slides on it: heat gained is the work of friction,
+to the last digits."""
 
 from tmsph_testing import *
 
@@ -30,7 +30,8 @@ def slide(ranks=1):
     rock = material(1e7, 0.25, 1000.0)
     scene = Scene(cloud, [rock, rock], temperature=20.0)
     scene.add("pair_coeff 1 2 none\ngroup upper type 2\nvelocity upper set 2.0 -2.0 0")
-    scene.add(f"fix move all nve\nfix contact all tmsph/contact friction * * 0.3\n{HEAT} friction yes\n"
+    scene.add("fix move all nve\nfix contact all tmsph/contact friction * * 0.3\n"
+              f"{HEAT} friction yes\n"
               "timestep 2e-5")
     scene.thermo("step f_heat f_contact[7]", 300).add("run 300\nrun 1")
     run = scene.run(ranks)
@@ -44,7 +45,8 @@ if __name__ == "__main__":
     for dt in (1e-5, 5e-6):
         error, left = vibrate(dt)
         errors.append(error)
-        report.below(f"viscosity, time step {dt:g}: change of the total energy/kinetic energy at the start",
+        report.below(f"viscosity, time step {dt:g}: change of the total energy/kinetic "
+                     "energy at the start",
                      abs(error), 0.01)
         report.below("kinetic energy that is left", left, 0.2)
     report.above("order in the time step", order(errors)[0], 0.8)

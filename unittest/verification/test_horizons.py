@@ -40,7 +40,8 @@ frame = scene.run().frame("end")
 for k, name in enumerate(("sxx", "syy", "sxy"), 1):
     s = frame[f"c_p[{k}]"]
     report.below(f"homogeneous strain: spread of {name}/E", np.ptp(s) / ROCKS[0]["young"], 1e-12)
-inner = (np.abs(cloud.X[:, 0] - 5 * COARSE) < COARSE) & (np.abs(cloud.X[:, 1] - 11 * COARSE) < COARSE)
+inner = (np.abs(cloud.X[:, 0] - 5 * COARSE) < COARSE) & (np.abs(cloud.X[:, 1] - 11 * COARSE)
+                                                         < COARSE)
 report.within("bonds in the fine block", frame["c_p[4]"][inner].mean(), 28, 28)
 
 reference = start().dump("all", STATE, STEPS // 5).add(f"run {STEPS}").snapshot("end", STATE).run()
@@ -57,7 +58,8 @@ energy = reference.thermo("TotEng")
 report.below("band of the energy", np.ptp(energy) / energy[0], 2e-3)
 
 written = start().add(f"run {STEPS // 2}\nwrite_restart middle.restart").run(2, keep="*.restart")
-scene = Script(f"comm_modify cutoff {2 * HORIZON * COARSE}\nread_restart middle.restart", written.kept)
+scene = Script(f"comm_modify cutoff {2 * HORIZON * COARSE}\nread_restart middle.restart",
+               written.kept)
 run = fixes(scene).add(f"run {STEPS - STEPS // 2}").snapshot("end", STATE).run()
 report.below("2 processors, then 1 after a restart: values that differ", differ(run, reference), 1)
 report.finish()

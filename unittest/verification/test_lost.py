@@ -17,10 +17,12 @@ def scene_of(dimension, lost, fixes=""):
         box[4:] = -0.5 * SPACING, 0.5 * SPACING
     lines = cloud.data(20.0).splitlines()
     at = next(n for n, line in enumerate(lines) if "xlo" in line)
-    lines[at:at + 3] = [f"{box[2 * k]:.17g} {box[2 * k + 1]:.17g} {a}lo {a}hi" for k, a in enumerate("xyz")]
+    lines[at:at + 3] = [f"{box[2 * k]:.17g} {box[2 * k + 1]:.17g} {a}lo {a}hi"
+                        for k, a in enumerate("xyz")]
     scene.files["cloud.data"] = "\n".join(lines) + "\n"
     text = "\n".join(scene.lines)
-    scene.lines = [text.replace("boundary s s p", "boundary f f p").replace("boundary s s s", "boundary f f f")]
+    text = text.replace("boundary s s p", "boundary f f p")
+    scene.lines = [text.replace("boundary s s s", "boundary f f f")]
     scene.lost = f"thermo_modify lost {lost}\n"
     return scene.add(f"neighbor {0.5 * SPACING} bin\nfix move all nve\n"
                      f"timestep 5e-8\n{fixes}")
@@ -44,18 +46,22 @@ def as_deleted(report):
         for goes in ("set group corner x 1", "delete_atoms group corner compress no"):
             scene = scene_of(dimension, "ignore", all_fixes(dimension))
             scene.add("region corner block 4.1e-3 INF INF 2.1e-3 INF INF units box\n"
-                      "group corner region corner\nvariable y atom y*1.0002\nrun 0\nset group all y v_y")
+                      "group corner region corner\nvariable y atom y*1.0002\nrun 0\n"
+                      "set group all y v_y")
             scene.thermo("step pe ke f_floor[2] f_rock f_heat f_touch[7]", 20)
             scene.add(f"{scene.lost}run 20\n{goes}\nrun 60")
             run = scene.snapshot("end", "x y z vx vy vz fx fy fz").run(ranks)
             ends.append(run.frame("end"))
             tables.append(run.tables[-1])
         what = f"{dimension}-D on {ranks}: lost as deleted"
-        report.true(f"{what}: who remains", len(ends[0]["id"]) == len(ends[1]["id"]) < len(scene.cloud), "same")
-        report.true(f"{what}: state", all(np.array_equal(ends[0][k], ends[1][k]) for k in ends[0]), "same bits")
+        report.true(f"{what}: who remains",
+                    len(ends[0]["id"]) == len(ends[1]["id"]) < len(scene.cloud), "same")
+        report.true(f"{what}: state", all(np.array_equal(ends[0][k], ends[1][k]) for k in ends[0]),
+                    "same bits")
         for name in tables[0]:
             scale = max(abs(tables[1][name]).max(), 1e-300)
-            report.below(f"{what}: {name}", abs(tables[0][name] - tables[1][name]).max() / scale, 1e-12)
+            report.below(f"{what}: {name}", abs(tables[0][name] - tables[1][name]).max() / scale,
+                         1e-12)
 
 
 def leaves(report):
@@ -63,8 +69,10 @@ def leaves(report):
     for dimension in (2, 3):
         results = []
         for ranks in (1, 3):
-            scene = scene_of(dimension, "ignore", "fix rock all tmsph/hoekbrown strength * 60e6 mi * 8")
-            scene.add("variable vy atom 2e3*(y-3e-3)\nvelocity all set 100 v_vy 0\ncompute fx all reduce sum fx\n"
+            scene = scene_of(dimension, "ignore",
+                             "fix rock all tmsph/hoekbrown strength * 60e6 mi * 8")
+            scene.add("variable vy atom 2e3*(y-3e-3)\nvelocity all set 100 v_vy 0\n"
+                      "compute fx all reduce sum fx\n"
                       "compute fy all reduce sum fy\nvariable f atom abs(fx)+abs(fy)\n"
                       "compute most all reduce max v_f\nvariable n equal count(all)")
             scene.thermo("step v_n pe ke c_fx c_fy c_most", 25).add(scene.lost + "run 1500")
@@ -73,11 +81,12 @@ def leaves(report):
         what = f"leaving, {dimension}-D"
         left = table["v_n"][-1]
         report.within(f"{what}: particles left", left, 1, 0.8 * table["v_n"][0])
-        report.true(f"{what}: on 3 processors", np.array_equal(table["v_n"], results[1].thermo("v_n")),
+        report.true(f"{what}: on 3 processors",
+                    np.array_equal(table["v_n"], results[1].thermo("v_n")),
                     "the same at the same time")
         scale = abs(table["PotEng"]).max()
-        report.below(f"{what}: energy on 3 processors", abs(table["PotEng"] - results[1].thermo("PotEng")).max() / scale,
-                     1e-10)
+        report.below(f"{what}: energy on 3 processors",
+                     abs(table["PotEng"] - results[1].thermo("PotEng")).max() / scale, 1e-10)
         balance = np.hypot(table["c_fx"], table["c_fy"]).max() / table["c_most"].max()
         report.below(f"{what}: sum of all forces over the largest", balance, 1e-10)
         # lost particles and bonds take energy along, viscosity takes some: nothing brings any
@@ -99,10 +108,13 @@ def told(report):
     whole = scene_of(2, "ignore", fly).add("variable n equal count(all)")
     whole.thermo("step v_n pe ke", 100).add(whole.lost + "run 800\nwrite_restart r\nrun 300")
     run = whole.run(keep="r")
-    again = Script("read_restart r\nfix move all nve\ntimestep 5e-8\nneighbor 5e-4 bin\nvariable n equal count(all)\n"
-                   "thermo_style custom step v_n pe ke\nthermo_modify norm no lost ignore format float %.17g\n"
+    again = Script("read_restart r\nfix move all nve\ntimestep 5e-8\nneighbor 5e-4 bin\n"
+                   "variable n equal count(all)\n"
+                   "thermo_style custom step v_n pe ke\n"
+                   "thermo_modify norm no lost ignore format float %.17g\n"
                    "run 300", run.kept).run()
-    report.true("restart after losses", again.thermo("v_n")[-1] == run.thermo("v_n")[-1] < run.thermo("v_n")[0]
+    report.true("restart after losses",
+                again.thermo("v_n")[-1] == run.thermo("v_n")[-1] < run.thermo("v_n")[0]
                 and again.thermo("KinEng")[-1] == run.thermo("KinEng")[-1], "goes on as the run")
 
 

@@ -8,7 +8,8 @@ from tmsph_testing import Report, Scene, disc_materials, lattice, material
 
 RESIDUAL = 1e-6    # of a typical force on a particle, strength 5e6 Pa times its face
 
-STYLES = [(style, line, dmax) for style in ("cg", "sd") for line in ("quadratic", "backtrack", "forcezero")
+STYLES = [(style, line, dmax) for style in ("cg", "sd")
+          for line in ("quadratic", "backtrack", "forcezero")
           for dmax in ("0.1", "1e-5")]
 STYLES += [(style, "quadratic", "0.1") for style in ("fire", "quickmin", "hftn", "tmsph/lbfgs")]
 
@@ -44,8 +45,9 @@ def evaluations(run):
 
 
 def curvature(report):
-    """Against Timoshenko, Analysis of bi-metal thermostats, J. Opt. Soc. Am. 11 (1925) 233, in plane
-    strain. Beam theory holds to the square of thickness over length, 3 %, less at the ends."""
+    """Against Timoshenko, Analysis of bi-metal thermostats, J. Opt. Soc. Am. 11 (1925) 233, in
+    plane strain. Beam theory holds to the square of thickness over length, 3 %, less at the
+    ends."""
     cloud, rocks = strip(0.5e-3)
     run = minimized(heated(cloud, rocks)).snapshot("end", "x y").run()
     end = run.frame("end")("x y")
@@ -59,7 +61,8 @@ def curvature(report):
     n = stiff[0] / stiff[1]
     beam = 6 * (swell[0] - swell[1]) * 50 * (1 + m)**2 / (
         t * (3 * (1 + m)**2 + (1 + m * n) * (m**2 + 1 / (m * n))))
-    report.true("a strip of two layers: converged", converged(run) and not lines(run), lines(run)[:1])
+    report.true("a strip of two layers: converged", converged(run) and not lines(run),
+                lines(run)[:1])
     report.within("  curvature over Timoshenko's", measured / beam, 0.97, 1.03)
     report.within("  force evaluations", evaluations(run), 1, 60)
 
@@ -71,7 +74,8 @@ def bodies():
     disc = lattice("hex", [22, 13], 1e-3, centre=True).kept(lambda X: np.hypot(*X.T) < 10e-3)
     disc.type[np.hypot(*disc.X.T) > 4e-3] = 2
     yield "disc", heated(disc, disc_materials(False))
-    ball = lattice("fcc", [8, 8, 8], 1e-3, centre=True).kept(lambda X: np.linalg.norm(X, axis=1) < 5e-3)
+    ball = lattice("fcc", [8, 8, 8], 1e-3,
+                   centre=True).kept(lambda X: np.linalg.norm(X, axis=1) < 5e-3)
     ball.type[np.linalg.norm(ball.X, axis=1) > 2.5e-3] = 2
     yield "ball", heated(ball, disc_materials(True))
     block = lattice("sc", [6, 6, 6], 1e-3)

@@ -53,8 +53,8 @@ def replaced(section, old, new, scene=PLATE):
     return {section: scene[section].replace(old, new)}
 
 
-# Name, scene, sections with the mistake, sections with the remedy on top of those, what the line says:
-# words in their order, "|" between them
+# Name, scene, sections with the mistake, sections with the remedy on top of those, what the line
+# says: words in their order, "|" between them
 
 MISTAKES = [
     # units
@@ -104,14 +104,14 @@ MISTAKES = [
      dict(atoms="region row block INF INF 4e-3 4e-3 INF INF units box\ncreate_atoms 1 region row\n"
                 "displace_atoms all random 0 1e-15 0 4711 units box"),
      PLATE, "neighbors on one line|2 particles thick"),
-    ("far from the origin", PLATE, dict(more="displace_atoms all move 1e7 0 0 units box"), dict(more=""),
-     "Positions of 1e+07|of the spacing|near the origin"),
+    ("far from the origin", PLATE, dict(more="displace_atoms all move 1e7 0 0 units box"),
+     dict(more=""), "Positions of 1e+07|of the spacing|near the origin"),
     ("far from the origin, 3-D", CUBE, dict(more="displace_atoms all move 0 0 -1e7 units box"),
      dict(more=""), "Positions of 1e+07|of the spacing|near the origin"),
     ("periodic box shorter than two horizons", dict(PLATE, space=PERIODIC),
      replaced("box", "0 9e-3", "0 5e-3"), PLATE, "length 0.005 in y|two horizons|enlarge"),
-    ("a thin direction that is not periodic in 2-D", PLATE, dict(space="units si\ndimension 2\nboundary s s s"),
-     PLATE, "2d simulation|Z"),
+    ("a thin direction that is not periodic in 2-D", PLATE,
+     dict(space="units si\ndimension 2\nboundary s s s"), PLATE, "2d simulation|Z"),
     ("skin of LAMMPS's default with fine particles", PLATE,
      dict(skin="neighbor 5e-3 bin"), dict(skin="neighbor 9e-4 bin"),
      "skin 0.005|longer than the horizon|neighbor 0.0009 bin"),
@@ -143,10 +143,10 @@ MISTAKES = [
     ("time/scale too large",
      dict(PLATE, heat=CONDUCTS + "time/scale 1e13\nfix heat all tmsph/heat/boundary flux 1"), {},
      dict(heat=FLOW), "Heat crosses the body|inertia matters|keep it below"),
-    ("specific heat in kJ", dict(PLATE, heat=FLOW), dict(heat=FLOW.replace("850", "0.85")), dict(heat=FLOW),
-     "Hardly a solid has a thermal diffusivity|type 1|specific/heat|J/kg/K"),
-    ("conductivity in mW", dict(PLATE, heat=FLOW), dict(heat=FLOW.replace("2.9", "2900")), dict(heat=FLOW),
-     "Hardly a solid has a thermal diffusivity|type 1|conductivity|W/m/K"),
+    ("specific heat in kJ", dict(PLATE, heat=FLOW), dict(heat=FLOW.replace("850", "0.85")),
+     dict(heat=FLOW), "Hardly a solid has a thermal diffusivity|type 1|specific/heat|J/kg/K"),
+    ("conductivity in mW", dict(PLATE, heat=FLOW), dict(heat=FLOW.replace("2.9", "2900")),
+     dict(heat=FLOW), "Hardly a solid has a thermal diffusivity|type 1|conductivity|W/m/K"),
     ("temperature of a part without conduction", PLATE,
      dict(heat="group hot region right\nfix heat hot tmsph/heat/boundary temperature 1"),
      dict(heat="group hot region right\nfix heat hot tmsph/heat/boundary temperature 1\n"
@@ -162,14 +162,16 @@ MISTAKES = [
      dict(more="region end block 14 INF INF INF INF INF units lattice\ngroup end region end\n"
                "fix hold end setforce 0 0 0"), "Group end of fix hold is empty|region"),
     ("group before the particles", PLATE,
-     dict(style="atom_style tmsph", box=PLATE["box"] + "\nregion end block 13.5e-3 INF INF INF INF INF "
+     dict(style="atom_style tmsph",
+          box=PLATE["box"] + "\nregion end block 13.5e-3 INF INF INF INF INF "
           "units box\ngroup end region end", more="fix hold end setforce 0 0 0"),
      dict(box=PLATE["box"] + "\nregion end block 13.5e-3 INF INF INF INF INF units box",
           more="group end region end\nfix hold end setforce 0 0 0"),
      "Group end of fix hold is empty|particles were there before"),
     ("compute before the first run", PLATE,
      dict(more="compute c all tmsph/crack\nprint $(c_c[1])"),
-     dict(more="compute c all tmsph/crack\nrun 0\nprint $(c_c[1])"), "before initialization by a run"),
+     dict(more="compute c all tmsph/crack\nrun 0\nprint $(c_c[1])"),
+     "before initialization by a run"),
     ("velocities before the masses", PLATE, dict(more="velocity all create 300 4711"),
      dict(more="run 0\nvelocity all create 1e14 4711"), "velocity|run 0"),
     ("a second pair style in the place of the first", PLATE,
@@ -187,26 +189,36 @@ MISTAKES = [
     ("wall through the body", PLATE, dict(more="fix wall all tmsph/wall line -9e-3 4e-3 1 4e-3"),
      dict(more="fix wall all tmsph/wall line -9e-3 -0.5e-3 1 -0.5e-3"),
      "Wall wall stands|in the body|bonds|half a cell"),
-    ("wall through the body, 3-D", CUBE, dict(more="fix wall all tmsph/wall plane 0 0 2.2e-3 0 0 1"),
+    ("wall through the body, 3-D", CUBE,
+     dict(more="fix wall all tmsph/wall plane 0 0 2.2e-3 0 0 1"),
      dict(more="fix wall all tmsph/wall plane 0 0 -0.5e-3 0 0 1"),
      "Wall wall stands|in the body|bonds|half a cell"),
-    ("wall on its wrong side", PLATE, dict(more="fix wall all tmsph/wall line 1 -0.5e-3 -9e-3 -0.5e-3"),
-     dict(more="fix wall all tmsph/wall line -9e-3 -0.5e-3 1 -0.5e-3"), "Wall wall|behind it|swap its ends"),
-    ("wall on its wrong side, 3-D", CUBE, dict(more="fix wall all tmsph/wall plane 0 0 -9e-3 0 0 -1"),
-     dict(more="fix wall all tmsph/wall plane 0 0 -9e-3 0 0 1"), "Wall wall|behind it|turn its normal"),
+    ("wall on its wrong side", PLATE,
+     dict(more="fix wall all tmsph/wall line 1 -0.5e-3 -9e-3 -0.5e-3"),
+     dict(more="fix wall all tmsph/wall line -9e-3 -0.5e-3 1 -0.5e-3"),
+     "Wall wall|behind it|swap its ends"),
+    ("wall on its wrong side, 3-D", CUBE,
+     dict(more="fix wall all tmsph/wall plane 0 0 -9e-3 0 0 -1"),
+     dict(more="fix wall all tmsph/wall plane 0 0 -9e-3 0 0 1"),
+     "Wall wall|behind it|turn its normal"),
     ("wall through the outer centres", PLATE, dict(more="fix wall all tmsph/wall line -9e-3 0 1 0"),
      dict(more="fix wall all tmsph/wall line -9e-3 -0.5e-3 1 -0.5e-3"),
      "overlap wall wall|by up to 0.0005|half a cell"),
     ("wall for an empty group", PLATE,
      dict(more="group none empty\nfix wall none tmsph/wall line -9e-3 -0.5e-3 1 -0.5e-3"),
-     dict(more="fix wall all tmsph/wall line -9e-3 -0.5e-3 1 -0.5e-3"), "Group none of fix wall is empty"),
-    ("a plane as a wall in 2-D", PLATE, dict(more="fix wall all tmsph/wall plane 0 -0.5e-3 0 0 1 0"),
-     dict(more="fix wall all tmsph/wall line -9e-3 -0.5e-3 1 -0.5e-3"), "plane|2-D|line, polyline or arc"),
+     dict(more="fix wall all tmsph/wall line -9e-3 -0.5e-3 1 -0.5e-3"),
+     "Group none of fix wall is empty"),
+    ("a plane as a wall in 2-D", PLATE,
+     dict(more="fix wall all tmsph/wall plane 0 -0.5e-3 0 0 1 0"),
+     dict(more="fix wall all tmsph/wall line -9e-3 -0.5e-3 1 -0.5e-3"),
+     "plane|2-D|line, polyline or arc"),
     ("contact defined after the first run", TWO, dict(more="run 0\nfix touch all tmsph/contact"),
-     dict(more="fix touch all tmsph/contact\nrun 0"), "defined after the first run|define it before"),
+     dict(more="fix touch all tmsph/contact\nrun 0"),
+     "defined after the first run|define it before"),
     ("bodies that do not quite touch", dict(TWO, more="fix touch all tmsph/contact"),
      dict(atoms=TWO["atoms"] + GAP), TWO, "spacings apart|let them touch"),
-    ("cut beside the body", PLATE, dict(more="fix touch all tmsph/contact\ntmsph/cut all line 3 3 5 5"),
+    ("cut beside the body", PLATE,
+     dict(more="fix touch all tmsph/contact\ntmsph/cut all line 3 3 5 5"),
      dict(more="fix touch all tmsph/contact\ntmsph/cut all line 3e-3 3.3e-3 5e-3 5.4e-3"),
      "cut crosses no intact bond"),
     ("cut whose faces pass through each other", ELASTIC,
@@ -218,7 +230,8 @@ MISTAKES = [
 
 # those that are found by looking at all particles
 
-ON_THREE = ["horizon in spacings", "horizon of 1.2 spacings", "area in the place of the volume, 3-D",
+ON_THREE = ["horizon in spacings", "horizon of 1.2 spacings",
+            "area in the place of the volume, 3-D",
             "far from the origin", "hot start without equilibrium", "wall through the body",
             "wall on its wrong side", "group before the particles"]
 
@@ -234,7 +247,8 @@ def check(report, name, scene, wrong, remedy, words, ranks=1):
     pattern = ".*".join(re.escape(word) for word in words.split("|"))
     ended = run.status is not None and 0 <= run.status < 128
     good = ended and len(said) == 1 and re.search(pattern, said[0])
-    report.true(name, good, said[0].partition(" (src/")[0] if good else f"{said}, status {run.status}")
+    report.true(name, good,
+                said[0].partition(" (src/")[0] if good else f"{said}, status {run.status}")
     if ranks > 1:
         return
     mended = Script("\n".join(dict(sections, **remedy).values())).run(may_fail=True, timeout=60)
@@ -245,7 +259,8 @@ def check(report, name, scene, wrong, remedy, words, ranks=1):
 report = Report()
 for scene in (PLATE, CUBE):
     run = Script("\n".join(scene.values())).run()
-    report.true("the scenes work unchanged", not complaints(run), complaints(run) or "nothing is said")
+    report.true("the scenes work unchanged", not complaints(run),
+                complaints(run) or "nothing is said")
 for mistake in MISTAKES:
     check(report, *mistake)
 for name, *mistake in MISTAKES:

@@ -1,21 +1,23 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """What runs leave for other programs: the radius of particles and the walls are where the scene has
-them; dumps, tables and logs of every example and of the tutorial have names for their columns, those of
-dumps as OVITO maps them (ovito_columns.txt); one header line makes a table that numpy reads by name."""
+them; dumps, tables and logs of every example and of the tutorial have names for their columns,
+those of dumps as OVITO maps them (ovito_columns.txt); one header line makes a table that numpy
+reads by name."""
 
 from tmsph_testing import *
 
 ROOT = Path(__file__).resolve().parents[2]
-MATERIALS = {f"potentials/{path.name}": path.read_text() for path in ROOT.glob("potentials/*.tmsph")}
-COARSE = {"in.disc": "dx 4e-3", "in.brazil": "dx 2e-3", "in.borehole": "dx 5e-3", "in.quench": "dx 0.5e-3",
-          "in.toughness": "dx 0.5e-3", "in.disc3d": "n 3"}
+MATERIALS = {f"potentials/{path.name}": path.read_text()
+             for path in ROOT.glob("potentials/*.tmsph")}
+COARSE = {"in.disc": "dx 4e-3", "in.brazil": "dx 2e-3", "in.borehole": "dx 5e-3",
+          "in.quench": "dx 0.5e-3", "in.toughness": "dx 0.5e-3", "in.disc3d": "n 3"}
 # what a column of a dump has to be for OVITO; all other names are ours
 MEANT = {"id": "Particle Identifier", "type": "Particle Type", "radius": "Radius",
          **{axis: f"Position.{axis.upper()}" for axis in "xyz"},
          **{f"v{axis}": f"Velocity.{axis.upper()}" for axis in "xyz"}}
-FIELDS = {"ux", "uy", "uz", "x0", "y0", "z0", "temperature", "damage", "volume", "nbond", "nbroken", "ncut",
-          "sxx", "syy", "szz", "sxy", "sxz", "syz", "s1", "s2", "s3", "smean", "vonmises", "strength",
-          "load", "radial", "hoop"}
+FIELDS = {"ux", "uy", "uz", "x0", "y0", "z0", "temperature", "damage", "volume", "nbond",
+          "nbroken", "ncut", "sxx", "syy", "szz", "sxy", "sxz", "syz", "s1", "s2", "s3", "smean",
+          "vonmises", "strength", "load", "radial", "hoop"}
 EVENTS = "id1 id2 step time x y z nx ny nz kind energy temperature".split()
 
 report = Report()
@@ -37,18 +39,20 @@ def ovito():
 def short(text):
     """An input with two steps in place of each run."""
     text = re.sub(r'((?:^|")\s*)run +[^"\n]+', r"\1run 2", text, flags=re.M)
-    text = re.sub(r'((?:^|")\s*)tmsph/quasistatic +[^"\n]+', r"\1tmsph/quasistatic 2 change 10", text,
-                  flags=re.M)
+    text = re.sub(r'((?:^|")\s*)tmsph/quasistatic +[^"\n]+', r"\1tmsph/quasistatic 2 change 10",
+                  text, flags=re.M)
     return re.sub(r"^minimize .*", "run 0", text, flags=re.M)
 
 
 def inputs():
     """(name, text) of every example and of the tutorial."""
     for path in sorted(ROOT.glob("examples/*/in.*")):
-        head = COARSE.get(path.name, "") and "variable {} index {}\n".format(*COARSE[path.name].split())
+        head = "variable {} index {}\n".format(*COARSE[path.name].split()) \
+            if path.name in COARSE else ""
         bonds = "variable bonds index yes\n" if path.name == "in.disc" else ""
         yield f"{path.parent.name}/{path.name}", head + bonds + path.read_text()
-    blocks = re.findall(r"^```lammps\n(.*?)^```", (ROOT / "doc/tutorial.md").read_text(), re.M | re.S)
+    blocks = re.findall(r"^```lammps\n(.*?)^```", (ROOT / "doc/tutorial.md").read_text(),
+                        re.M | re.S)
     yield "tutorial", "variable dx index 2e-3\n" + "".join(blocks)
 
 
@@ -63,7 +67,8 @@ def dump_of_particles(name, columns):
     stolen = [c for c in columns if c not in particles
               and any(re.fullmatch(rf"{f}\.?[a-z]{{0,5}}", c) for f in full)]
     report.true(f"{name}: columns", not odd and not wrong and not stolen
-                and len(set(columns)) == len(columns) and set("id type x y z radius".split()) <= set(columns),
+                and len(set(columns)) == len(columns)
+                and set("id type x y z radius".split()) <= set(columns),
                 " ".join(odd + wrong + stolen) or " ".join(columns))
 
 
@@ -74,7 +79,8 @@ def names_of_everything():
                      {"examples/name/in.name": short(text), **MATERIALS}).run(
                          keep="examples/name/*", timeout=300)
         written = {file: data.decode(errors="replace") for file, data in run.kept.items()
-                   if not file.startswith(("in.", "image.", "restart.", "state.")) and file[-4:] != ".png"}
+                   if not file.startswith(("in.", "image.", "restart.", "state."))
+                   and file[-4:] != ".png"}
         drawn = False
         for file, data in sorted(written.items()):
             found, what = header(data), f"{name}: {file}"
@@ -83,8 +89,8 @@ def names_of_everything():
                 dump_of_particles(what, found[2].split())
             elif found:
                 columns = found[2].split()[1:]
-                good = {"dump.bonds": all(c in bonds for c in columns), "events.txt": columns == EVENTS,
-                        "dump.walls": len(columns) in (7, 10)}
+                good = {"dump.bonds": all(c in bonds for c in columns),
+                        "events.txt": columns == EVENTS, "dump.walls": len(columns) in (7, 10)}
                 report.true(f"{what}: columns", good[file], " ".join(columns))
             elif file.startswith("profile."):
                 report.true(f"{what}: columns", "temperature_C" in data.split("\n")[2], "named")
@@ -93,7 +99,8 @@ def names_of_everything():
             else:
                 first = data.split("\n", 1)[0].split()
                 report.true(f"{what}: first line", len(first) > 1
-                            and all(re.fullmatch(r"[A-Za-z]\w*", word) for word in first), " ".join(first))
+                            and all(re.fullmatch(r"[A-Za-z]\w*", word) for word in first),
+                            " ".join(first))
         for table in run.tables:
             raw = [c for c in table if re.match(r"[cfv]_", c)]
             report.true(f"{name}: names in the log", not raw, " ".join(raw or table))
@@ -101,8 +108,9 @@ def names_of_everything():
 
 
 def radii():
-    """Half a spacing: of a square and a cube lattice half their edge, of a hexagonal one between half the
-    root of the area and half the distance, for any thickness, here 1, a spacing and a hundredth of one."""
+    """Half a spacing: of a square and a cube lattice half their edge, of a hexagonal one between
+    half the root of the area and half the distance, for any thickness, here 1, a spacing and a
+    hundredth of one."""
     dx = 2e-3
     for name, cells in (("square", (9, 7)), ("hex", (9, 5)), ("sc", (5, 4, 6))):
         least = (3**0.5 / 2) ** 0.5 if name == "hex" else 1.0
@@ -119,8 +127,8 @@ def radii():
 
 
 def walls():
-    """A line that moves up and a bent one, in 2-D; a plane in 3-D: rows of the compute are on them, and
-    any wall in dump image draws all."""
+    """A line that moves up and a bent one, in 2-D; a plane in 3-D: rows of the compute are on them,
+    and any wall in dump image draws all."""
     dx = 2e-3
     cloud = lattice("square", (6, 6), dx)
     head = "compute w all tmsph/wall/local\nfix move all nve\ntimestep 1e-7\n"
@@ -136,7 +144,8 @@ def walls():
         frame = run.frame("walls")
         rows = frame(" ".join(f"c_w[{k}]" for k in range(1, 8)))
         y = -0.01 + 100 * 1e-6
-        right = [[1, -0.1, -0.05, 0, 0, -0.03, 0], [1, 0, -0.03, 0, 0.1, -0.05, 0], [2, -0.1, y, 0, 0.1, y, 0]]
+        right = [[1, -0.1, -0.05, 0, 0, -0.03, 0], [1, 0, -0.03, 0, 0.1, -0.05, 0],
+                 [2, -0.1, y, 0, 0.1, y, 0]]
         report.true(f"walls in 2-D, {ranks} ranks", np.allclose(rows, right, rtol=0, atol=1e-9),
                     f"{len(rows)} lines")
         pictures = [run.kept[name] for name in ("low.ppm", "bent.ppm", "none.ppm")]
@@ -160,7 +169,8 @@ def table_by_name():
         (Path(folder) / "speed.txt").write_bytes(run.kept["speed.txt"])
         table = np.genfromtxt(Path(folder) / "speed.txt", names=True)
         plain = np.loadtxt(Path(folder) / "speed.txt", skiprows=1)
-    report.true("table by names", len(plain) > 20 and table.dtype.names[:3] == ("step", "time_s", "speed_m_per_s")
+    report.true("table by names",
+                len(plain) > 20 and table.dtype.names[:3] == ("step", "time_s", "speed_m_per_s")
                 and np.array_equal(table["speed_m_per_s"], plain[:, 2]), f"{len(plain)} rows")
 
 

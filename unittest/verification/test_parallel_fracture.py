@@ -1,7 +1,8 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Fracture with cuts, viscosity, heating and fragments in contact, by their provisional
-repulsion or with friction on the faces of cracks (fix tmsph/contact): the same to the last bit on any number of processors, balanced or not, in one run or several, and
-continued from a restart. New ids and deleted particles leave the other bonds alone."""
+"""Fracture with cuts, viscosity, heating and fragments in contact, by their provisional repulsion
+or with friction on the faces of cracks (fix tmsph/contact): the same to the last bit on any number
+of processors, balanced or not, in one run or several, and continued from a restart. New ids and
+deleted particles leave the other bonds alone."""
 
 from tmsph_testing import *
 
@@ -38,14 +39,17 @@ class Body:
         if self.friction is None:
             contact, touching = "", "f_hb[5]"
         else:
-            contact, touching = f"fix cont all tmsph/contact friction * * {self.friction}\n", "f_cont[8]"
+            contact = f"fix cont all tmsph/contact friction * * {self.friction}\n"
+            touching = "f_cont[8]"
         return scene.add(
             "fix 1 all nve\n"
             f"variable T equal {self.heat}*step/{self.steps}\n"
             "fix ramp all tmsph/heat/boundary temperature v_T\n"
-            "fix hb all tmsph/hoekbrown strength 1 150e6 strength 2 120e6 mi * 8 weibull * 10 4711\n"
+            "fix hb all tmsph/hoekbrown strength 1 150e6 strength 2 120e6 mi * 8 "
+            "weibull * 10 4711\n"
             "compute t all tmsph/property/atom temperature\n"
-            f"compute p all tmsph/property/atom {STRESSES} load strength nbond nbroken ncut damage\n"
+            f"compute p all tmsph/property/atom {STRESSES} load strength nbond "
+            "nbroken ncut damage\n"
             f"timestep {0.35 * SPACING / self.speed:.17g}\n"
             f"{contact}variable touching equal {touching}\n"
             "thermo_style custom step temp f_hb v_touching\nthermo 100\n" + more)
@@ -97,7 +101,8 @@ def compare(report, dimension, friction=None, rocks=ROCKS):
         report.below(f"{what}: three runs on {ranks}, values that differ", same(run, reference), 1)
 
     middle = int(np.interp(0.4 * broken[-1], broken, reference.thermo("Step")))
-    written = body.start().add(f"run {middle}\nwrite_restart middle.restart").run(2, keep="*.restart")
+    first = body.start().add(f"run {middle}\nwrite_restart middle.restart")
+    written = first.run(2, keep="*.restart")
     report.within(f"{what}: broken at the restart, share", written.thermo("f_hb")[-1] / broken[-1],
                   0.1, 0.9)
     for ranks in (1, 4):

@@ -1,8 +1,8 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """A body heated through its surface, with tables, an orthotropic mineral, sources, and bonds that
-break on the way: the same to the last bit on any number of processors, balanced or not, in one run or
-several, and continued from a restart, in 2-D and 3-D. Accounts are sums over processors and agree
-to round-off."""
+break on the way: the same to the last bit on any number of processors, balanced or not, in one run
+or several, and continued from a restart, in 2-D and 3-D. Accounts are sums over processors and
+agree to round-off."""
 
 from heat_scenes import *
 
@@ -34,7 +34,8 @@ class Body:
     def fixes(self, scene, more=""):
         """All that a restart does not carry."""
         return scene.add(
-            "fix move all nve\nvariable hot equal 3000*(1-exp(-step/60))\nvariable sun atom 5e7*(1+x*1e2)\n"
+            "fix move all nve\nvariable hot equal 3000*(1-exp(-step/60))\n"
+            "variable sun atom 5e7*(1+x*1e2)\n"
             f"fix heat all tmsph/heat {self.conductivity} "
             "specific/heat * table rock.table c source 2 v_sun time/scale 1e5 every 2\n"
             "fix hot top tmsph/heat/boundary temperature v_hot place surface cracks yes\n"
@@ -63,10 +64,11 @@ def compare(report, what, body):
         differ = np.count_nonzero(~(run.frame("end")(" ".join(names)) == state(" ".join(names))))
         report.below(f"{what}, {label}: values that differ", differ, 1)
         for name in COUNTS.split():
-            report.true(f"{what}, {label}: {name}", run.thermo(name)[-1] == reference.thermo(name)[-1],
-                        "the same")
+            report.true(f"{what}, {label}: {name}",
+                        run.thermo(name)[-1] == reference.thermo(name)[-1], "the same")
         scale = np.abs(reference.thermo("f_heat")[-1])
-        worst = max(abs(run.thermo(name)[-1] - reference.thermo(name)[-1]) for name in ACCOUNTS.split())
+        worst = max(abs(run.thermo(name)[-1] - reference.thermo(name)[-1])
+                    for name in ACCOUNTS.split())
         report.below(f"{what}, {label}: accounts, relative", worst / scale, 1e-13)
 
     n = body.steps
@@ -86,7 +88,8 @@ def compare(report, what, body):
     parts = [n // 4, n // 3, n - n // 4 - n // 3]
     same(body.ending(body.start(), parts).run(2), "three runs on 2")
     middle = n // 2
-    written = body.start().add(f"run {middle}\nwrite_restart middle.restart").run(2, keep="*.restart")
+    first = body.start().add(f"run {middle}\nwrite_restart middle.restart")
+    written = first.run(2, keep="*.restart")
     report.within(f"{what}: broken at the restart, share",
                   written.thermo("f_hb")[-1] / table["f_hb"][-1], 0.01, 0.99)
     for ranks in (1, 4):
@@ -96,12 +99,14 @@ def compare(report, what, body):
 
 
 def viscous_heat(report):
-    """Of a body in motion heated by its viscosity: stresses as well are the same at the end of a step."""
+    """Of a body in motion heated by its viscosity: stresses as well are the same at the end of a
+    step."""
     cloud = lattice("hex", (12, 7), SPACING)
     scene = Scene(cloud, [ROCKS[0]], "viscosity 1 2")
     scene.add("variable fast atom 50*sin(x*1e3)\nset group all vx v_fast\nfix move all nve\n"
               "fix heat all tmsph/heat conductivity * 2.9 specific/heat * 850 viscous yes\n"
-              f"compute p all tmsph/property/atom sxx syy temperature\ntimestep {0.2 * SPACING / 4465:.17g}\nrun 10")
+              "compute p all tmsph/property/atom sxx syy temperature\n"
+              f"timestep {0.2 * SPACING / 4465:.17g}\nrun 10")
     scene.dump("end", "vx fx c_p[*]", 5).add("run 10")
     alone, both = scene.run(), scene.run(ranks=2)
     names = "vx fx c_p[1] c_p[2] c_p[3]"
@@ -116,7 +121,9 @@ def viscous_heat(report):
 
 report = Report()
 compare(report, "2-D, tables, jittered", Body(2, "conductivity * table rock.table k", 0.15))
-compare(report, "2-D, orthotropic", Body(2, "conductivity 1 orthotropic 3.0 1.0 25 conductivity 2 2.0"))
-compare(report, "3-D", Body(3, "conductivity 1 orthotropic 3.0 1.0 2.0 1 1 0 35 conductivity 2 2.0"))
+compare(report, "2-D, orthotropic",
+        Body(2, "conductivity 1 orthotropic 3.0 1.0 25 conductivity 2 2.0"))
+compare(report, "3-D",
+        Body(3, "conductivity 1 orthotropic 3.0 1.0 2.0 1 1 0 35 conductivity 2 2.0"))
 viscous_heat(report)
 report.finish()

@@ -69,7 +69,8 @@ def repetition(report, name):
     report.below(f"{name}: force against the middle of three cells",
                  np.abs(row[n: 2 * n] - single).max() / size, 1e-12)
     report.below(f"{name}: sum of forces",
-                 max(abs(fsum(single[:, k])) for k in range(3)) / fsum(np.abs(single).ravel()), 1e-14)
+                 max(abs(fsum(single[:, k])) for k in range(3)) / fsum(np.abs(single).ravel()),
+                 1e-14)
 
 
 def homogeneous(report, name):

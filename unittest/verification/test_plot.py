@@ -1,7 +1,7 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""tools/plot.py on a coarse examples/uniaxial: the pictures are there, small, and show both platens;
-each pixel of a map has the value of the nearest particle, a body has its area, a section through a
-wall of triangles its line; wrong folders, steps and columns are told in one line."""
+"""tools/plot.py on a coarse examples/uniaxial: the pictures are there, small, and show both
+platens; each pixel of a map has the value of the nearest particle, a body has its area, a section
+through a wall of triangles its line; wrong folders, steps and columns are told in one line."""
 
 import sys
 
@@ -44,7 +44,8 @@ def example():
 def pictures():
     out = plot(folder, "--magnify", 20)
     names = ["damage", "displacement", "s1", "s3", "load", "energy"]
-    report.true("pictures", set(out.split()) == {str(folder / f"plot.{name}.png") for name in names},
+    report.true("pictures",
+                set(out.split()) == {str(folder / f"plot.{name}.png") for name in names},
                 f"{len(names)}")
     for name in names:
         path = folder / f"plot.{name}.png"
@@ -57,7 +58,8 @@ def pictures():
     grey = (np.abs(picture - GREY) < 8).all(axis=2).sum(axis=1) > 0.3 * picture.shape[1]
     report.true("platens in the map", np.count_nonzero(np.diff(grey.astype(int)) == 1) == 2, "two")
     plot(folder, "--maps", "--field", "damage", "--step", 0, 2000, "--out", folder / "two")
-    one, two = (plt.imread(folder / name).shape[1] for name in ("plot.damage.png", "two.damage.png"))
+    one, two = (plt.imread(folder / name).shape[1]
+                for name in ("plot.damage.png", "two.damage.png"))
     report.above("two steps side by side: width over that of one", two / one, 1.3)
 
 
@@ -66,10 +68,12 @@ def walls_for_paraview():
                folder / "dump.walls", "--out", folder / "vtk"]
     subprocess.run(command, check=True, capture_output=True)
     listed = re.findall(r'file="(.*?)"', (folder / "vtk.walls.pvd").read_text())
-    sizes = {re.search(r'NumberOfPoints="(\d+)" NumberOfCells="(\d+)"', (folder / name).read_text()).groups()
+    sizes = {re.search(r'NumberOfPoints="(\d+)" NumberOfCells="(\d+)"',
+                       (folder / name).read_text()).groups()
              for name in listed}
     report.true("walls for ParaView: two lines in each frame",
-                sizes == {("4", "2")} and len(listed) == len(read_dump(folder / "dump.uniaxial")), f"{len(listed)}")
+                sizes == {("4", "2")} and len(listed) == len(read_dump(folder / "dump.uniaxial")),
+                f"{len(listed)}")
 
 
 def body(X, u=0.0, **columns):
@@ -82,7 +86,8 @@ def body(X, u=0.0, **columns):
 def pixels():
     """A square lattice of spacing 1 and a cubic one: owners of pixels are the nearest particles."""
     X = np.array([[i, j, 0.0] for i in range(8) for j in range(6)])
-    for what, X, section in (("plane", X, None), ("cube", np.vstack([X + [0, 0, k] for k in range(5)]), "z=1.2")):
+    for what, X, section in (("plane", X, None),
+                             ("cube", np.vstack([X + [0, 0, k] for k in range(5)]), "z=1.2")):
         shown = body(X)
         view = maps.View([shown], 1.0, section)
         owner = view.owners(shown)
@@ -96,7 +101,8 @@ def pixels():
         if section:
             report.true(f"{what}: layer", set(X[owner[owner >= 0], 2]) == {1.0}, "the nearest")
     view = maps.View([body(X, u=0.5)], 3.0, None)
-    report.below("magnified: the view goes along", abs(view.low[0] - (-0.5 * maps.NEAR + 1.0)), 1e-9)
+    report.below("magnified: the view goes along", abs(view.low[0] - (-0.5 * maps.NEAR + 1.0)),
+                 1e-9)
 
 
 def units():
@@ -104,30 +110,37 @@ def units():
     cut = np.array(sorted(map(list, next(bodies.lines([triangle], 2, 1.0)))))
     report.true("section of a wall", np.allclose(cut, [[0, 0, 1], [2, 0, 1]]), "a line")
     found = [bodies.scaled(unit, largest) for unit, largest in
-             (("m", 0.002), ("m", 30), ("m", 4000), ("Pa", 3e7), ("m2", 3e-5), ("C", 200), ("", 9e9))]
-    right = [(1e3, "mm"), (1, "m"), (1, "m"), (1e-6, "MPa"), (1e6, "mm\u00b2"), (1, "\u00b0C"), (1, "")]
-    report.true("units", all(abs(a / b - 1) < 1e-12 and x == y for (a, x), (b, y) in zip(found, right)),
+             (("m", 0.002), ("m", 30), ("m", 4000), ("Pa", 3e7), ("m2", 3e-5), ("C", 200),
+              ("", 9e9))]
+    right = [(1e3, "mm"), (1, "m"), (1, "m"), (1e-6, "MPa"), (1e6, "mm\u00b2"), (1, "\u00b0C"),
+             (1, "")]
+    report.true("units",
+                all(abs(a / b - 1) < 1e-12 and x == y for (a, x), (b, y) in zip(found, right)),
                 " ".join(unit for _, unit in found))
 
 
 def unfinished():
-    """Beside a dump of a run that goes on: torn anywhere in its last frame, that one is left out; and a
-    table, a log, a profile that have begun, a text and an input without a title do no harm."""
+    """Beside a dump of a run that goes on: torn anywhere in its last frame, that one is left out;
+    and a table, a log, a profile that have begun, a text and an input without a title do no
+    harm."""
     place = folder / "unfinished it is"
     place.mkdir()
-    frame = "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS ss ss pp\n" + 3 * "0 1\n" + (
-        "ITEM: ATOMS id x y damage radius\n1 0 0 0 .5\n2 1 0 .1 .5\n3 0 1 .2 .5\n")
+    frame = ("ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS ss ss pp\n"
+             + 3 * "0 1\n" + "ITEM: ATOMS id x y damage radius\n"
+             "1 0 0 0 .5\n2 1 0 .1 .5\n3 0 1 .2 .5\n")
     whole, path = frame.format(0) + frame.format(700), place / "dump.x"
     lost = []
     for size in range(len(whole) + 1):
         path.write_text(whole[:size])
         lost.append(2 - len(bodies.steps(path)))
     first = len(frame.format(0))
-    report.true("complete frames of a torn dump", lost == [2] * first + [1] * (len(whole) - first) + [0],
-                f"at {len(lost)} places")
+    report.true("complete frames of a torn dump",
+                lost == [2] * first + [1] * (len(whole) - first) + [0], f"at {len(lost)} places")
     path.write_text(whole[:-20])
-    for name, text in (("table.txt", "step u_m force_N\n1 2 3\n2 3 4\n3 4 5.0e"), ("notes.txt", "two words\nand some\n"),
-                       ("log.lammps", "run 5\n   Step Temp x_J\n"), ("profile.txt", "# Chunk r_m T_C\n0 2 4\n"),
+    for name, text in (("table.txt", "step u_m force_N\n1 2 3\n2 3 4\n3 4 5.0e"),
+                       ("notes.txt", "two words\nand some\n"),
+                       ("log.lammps", "run 5\n   Step Temp x_J\n"),
+                       ("profile.txt", "# Chunk r_m T_C\n0 2 4\n"),
                        ("in.x", "# \n# \n"), ("dump.walls", ""), ("events.txt", "")):
         (place / name).write_text(text)
     out = plot(place).splitlines()
@@ -145,7 +158,8 @@ def without_names():
     (bare / "dump.body").write_text(
         "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ss ss pp\n0 1\n0 1\n0 1\n"
         "ITEM: ATOMS id x y z c_field[1]\n1 0 0 0 1\n2 1 0 0 2\n")
-    (bare / "curve.txt").write_text("# Time-averaged data for fix curve\n# TimeStep f_hot f_rock[1]\n"
+    (bare / "curve.txt").write_text("# Time-averaged data for fix curve\n"
+                                    "# TimeStep f_hot f_rock[1]\n"
                                     "0 20 0\n50 21 3\n100 22 5\n")
     done = subprocess.run([sys.executable, ROOT / "tools/plot.py", bare], text=True,
                           capture_output=True)
@@ -157,7 +171,8 @@ def without_names():
 
 def wrong():
     (folder / "empty").mkdir()
-    for words, text in (((folder / "nowhere",), "no folder"), ((folder / "empty",), "run an input there"),
+    for words, text in (((folder / "nowhere",), "no folder"),
+                        ((folder / "empty",), "run an input there"),
                         ((folder, "--field", "heat"), "no column heat"),
                         ((folder, "--step", 10**9), "its frames are"),
                         ((folder, "--range=2:1"), "give LOW:HIGH"),
@@ -165,8 +180,8 @@ def wrong():
                         ((folder, "--magnify", "nan"), "give a number"),
                         ((folder, "--out", folder / "nowhere/x"), "cannot write")):
         said = plot(*words, fails=True)
-        report.true(f"plot.py {' '.join(map(str, words[1:]))}", text in said and said.count("\n") == 1,
-                    said.strip())
+        report.true(f"plot.py {' '.join(map(str, words[1:]))}",
+                    text in said and said.count("\n") == 1, said.strip())
 
 
 try:

@@ -57,17 +57,20 @@ def run(lmp, plugin):
     os.environ.pop("LAMMPS_PLUGIN_PATH", None)
     os.environ.update(folder)
     head = "units si\ndimension 2\nboundary s s p\n"
-    return Script(("plugin list\n" if plugin else "") + head + HEATED + "clear\n" + head + HEATED).run()
+    first = "plugin list\n" if plugin else ""
+    return Script(first + head + HEATED + "clear\n" + head + HEATED).run()
 
 
 report = Report()
 loaded, own = run(HOST, True), run(LMP, False)
 listed = set(re.findall(r"^ *\d+: (\w+) style plugin (\S+)", loaded.log, re.M))
 missing = {style for style in declared() if style[0] not in UNLISTED} - listed
-report.true("all styles are in the plugin", not missing, ", ".join(map(str, missing)) or "none missing")
+report.true("all styles are in the plugin", not missing, ", ".join(map(str, missing))
+            or "none missing")
 report.true("runs", len(own.tables) == len(loaded.tables) == 4, "4 with and without the plugin")
 report.above("bonds broken", own.thermo("f_break")[-1], 0)
 for k, (a, b) in enumerate(zip(own.tables, loaded.tables), 1):
-    report.true(f"run {k}, numbers of the plugin", all(np.array_equal(a[name], b[name]) for name in a),
+    report.true(f"run {k}, numbers of the plugin",
+                all(np.array_equal(a[name], b[name]) for name in a),
                 "those of the package, bit for bit")
 report.finish()

@@ -152,7 +152,8 @@ def minima(report):
     other = Script("units lj\nlattice fcc 1.0\nregion b block 0 4 0 4 0 4\ncreate_box 1 b\n"
                    "create_atoms 1 box\nmass 1 1\npair_style lj/cut 2.38\npair_coeff 1 1 1 1\n"
                    "region a block 1 2 1 2 1 2\ngroup a region a\n"
-                   "displace_atoms a random 0.1 0.1 0.1 4711\nthermo_style custom step pe\nthermo_modify norm no format float %.17g")
+                   "displace_atoms a random 0.1 0.1 0.1 4711\nthermo_style custom step pe\n"
+                   "thermo_modify norm no format float %.17g")
     energies(report, "Lennard-Jones", other, "minimize 0 1e-6 20000 99999", dmax=0.1)
 
     positions = []

@@ -48,7 +48,8 @@ def published(report):
     for path in sorted(tool.REPORT.glob("*.md")):
         gone = [target for target in re.findall(r"\]\(([^)#\s]+)\)", path.read_text())
                 if "://" not in target and not (tool.REPORT / target).exists()]
-        report.true(f"{path.name}: links lead somewhere", not gone, ", ".join(gone) or "all of them")
+        report.true(f"{path.name}: links lead somewhere", not gone,
+                    ", ".join(gone) or "all of them")
     names = [study.name for _, group in tool.all_groups().values() for study in group]
     report.true("names of studies differ", len(set(names)) == len(names), "by name")
 

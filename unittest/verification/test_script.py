@@ -13,16 +13,23 @@ from tmsph_testing import Report
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# cmake configures by writing what ninja and the script look for, and builds an lmp that tells its words
+# cmake configures by writing what ninja and the script look for, and builds an lmp that tells its
+# words
 
 STUBS = {
     "cmake": r"""
 if [ "$1" = --build ]; then
-  [ -z "${SLOW_BUILD:-}" ] || { echo "[10/20] half"; while [ ! -e "$SLOW_BUILD" ]; do sleep 0.05; done; }
-  printf '#!/bin/sh\n[ "$1" != -h ] || echo "Compiler: stub"\necho "lmp $*"\n' >"$2/lmp"; chmod +x "$2/lmp"
+  if [ -n "${SLOW_BUILD:-}" ]; then
+    echo "[10/20] half"
+    while [ ! -e "$SLOW_BUILD" ]; do sleep 0.05; done
+  fi
+  printf '#!/bin/sh\n[ "$1" != -h ] || echo "Compiler: stub"\necho "lmp $*"\n' >"$2/lmp"
+  chmod +x "$2/lmp"
   echo "[20/20] lmp"
 else
-  for word; do case $word in TMSPH_TESTS=*) echo "TMSPH_TESTS:BOOL=${word#*=}" >"$4/CMakeCache.txt" ;; esac; done
+  for word; do
+    case $word in TMSPH_TESTS=*) echo "TMSPH_TESTS:BOOL=${word#*=}" >"$4/CMakeCache.txt" ;; esac
+  done
   touch "$4/build.ninja"
 fi""",
     "ctest": 'echo "ctest $*"',
@@ -102,7 +109,8 @@ def what_is_built(place):
 
     status, out, said, calls = place.call("test", "-j1")
     report.true("test adds the tests", "TMSPH_TESTS=on" in calls and "--target all" in calls
-                and "--target lmp" not in calls and "libgtest-dev" in calls, "and builds lmp no more")
+                and "--target lmp" not in calls and "libgtest-dev" in calls,
+                "and builds lmp no more")
     report.true("test leaves out slow ones", "-LE slow -j1" in out, out.strip())
     for words in (["-L", "slow"], ["-R", "disc"], ["-I", "1,2"]):
         out = place.call("test", *words)[1]
@@ -111,7 +119,8 @@ def what_is_built(place):
     report.true("run after test", "cmake -" not in calls, "no build")
     place.version_file.touch()
     calls = place.call("run", "run/in.x")[3]
-    report.true("run after a change", "--target lmp" in calls and "cmake -S" not in calls, "a build")
+    report.true("run after a change", "--target lmp" in calls and "cmake -S" not in calls,
+                "a build")
     out = place.call("--version")[1]
     report.true("--version", "compiler stub" in out and "not built" not in out, out.strip())
 
@@ -144,7 +153,8 @@ def what_fails(place):
     status, out, said, calls = place.call("tset")
     report.true("a wrong word", status == 2 and "no command 'tset'" in said and not calls,
                 said.strip())
-    for words, told in ((["-n", "2", "run/in.x"], "not '-n'"), (["run/in.x", "-np", "2"], "-np N comes before"),
+    for words, told in ((["-n", "2", "run/in.x"], "not '-n'"),
+                        (["run/in.x", "-np", "2"], "-np N comes before"),
                         (["-np", "0", "run/in.x"], "a number of processes"),
                         (["-np"], "a number of processes"), (["run"], "no input file 'run'")):
         status, out, said, calls = place.call("run", *words)
@@ -172,7 +182,8 @@ def pages_and_make():
     block = text[text.index("#!/bin/bash"):]
     done = subprocess.run(["bash", "-n"], input=block[:block.index("```")], text=True,
                           capture_output=True)
-    report.true("batch script of README", done.returncode == 0, done.stderr or "its syntax is right")
+    report.true("batch script of README", done.returncode == 0,
+                done.stderr or "its syntax is right")
     done = subprocess.run(["sh", "Install.sh", "1"], cwd=ROOT / "src/TMSPH", text=True,
                           capture_output=True)
     report.true("make yes-tmsph", done.returncode != 0 and done.stderr.count("\n") == 1

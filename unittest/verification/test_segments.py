@@ -1,6 +1,7 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Contact of bodies by segments, beside that by pairs, and its laws: a block under a load on a bar
-that is drawn away beneath it; a block pushed into the corner of an angle. The outlines are found by the package.
+that is drawn away beneath it; a block pushed into the corner of an angle. The outlines are found by
+the package.
 
 With the word "all" it also runs what doc/report/contact.md has in its table."""
 
@@ -51,7 +52,8 @@ fix drag upper viscous {drag:.6g}
 fix feet feet setforce 0 0 0
 variable load equal "-{LOAD}*ternary(time<{settle / 2:.17g},time/{settle / 2:.17g},1)"
 fix hold all tmsph/wall line {0.5 * EDGE} {3 * EDGE} {0.5 * EDGE} {1.02 * EDGE}
-fix plate all tmsph/wall line 1 {2 * EDGE} -1 {2 * EDGE} load NULL v_load mass {0.1 * DENSITY * EDGE**2}
+fix plate all tmsph/wall line 1 {2 * EDGE} -1 {2 * EDGE} load NULL v_load &
+    mass {0.1 * DENSITY * EDGE**2}
 fix contact all tmsph/contact friction * * {FRICTION} {words}""")
     scene.thermo("step f_contact[1] f_contact[2] f_contact[10]", 20)
     scene.add(f"run {int(settle / step)}\nvelocity feet set {-speed:.17g} 0 0")
@@ -118,13 +120,14 @@ if __name__ == "__main__":
     one = figures(drawn(10, 14, "method segment"))
     half = figures(drawn(10, 14, "method segment", cfl=0.2))
     for k, name in enumerate(("normal force", "friction/normal force")):
-        report.below(f"half the time step, method segment: change of {name}", abs(half[k] / one[k] - 1),
-                     0.005)
+        report.below(f"half the time step, method segment: change of {name}",
+                     abs(half[k] / one[k] - 1), 0.005)
     for method in ("kernel", "segment"):
         report.above(f"law paper, method {method}: scatter of the normal force",
                      figures(drawn(10, 14, f"method {method} law paper"))[2], 0.05)
     if sys.argv[1:] == ["all"]:
-        print("method, law, time step, viscosity: normal force/load, friction/normal force, scatter")
+        print("method, law, time step, viscosity: normal force/load, friction/normal force, "
+              "scatter")
         for method in ("kernel", "segment"):
             for law in ("implicit", "penalty", "paper"):
                 for cfl, viscosity in ((0.4, 1.0), (0.2, 1.0), (0.4, 0.0)):

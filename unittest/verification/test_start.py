@@ -32,7 +32,8 @@ def block(dimension, pair=""):
     rocks = [material(40e9, 0.3, 2700, 1e-5), material(20e9, 0.2, 2500, 1e-5)]
     return Scene(cloud, rocks, pair + " viscosity 1 2").add(
         "fix rock all tmsph/hoekbrown strength 1 150e6 strength 2 90e6 mi * 8\n"
-        "fix conduct all tmsph/heat conductivity 1 2.9 conductivity 2 2 specific/heat * 850 time/scale 1e5\n"
+        "fix conduct all tmsph/heat conductivity 1 2.9 conductivity 2 2 specific/heat * 850 "
+        "time/scale 1e5\n"
         "fix move all nve\ntimestep 5e-8")
 
 
@@ -46,8 +47,10 @@ def numbers(report, dimension, pair=""):
     E, nu, rho = np.array([40e9, 20e9]), np.array([0.3, 0.2]), np.array([2700.0, 2500.0])
     close = lambda a, b: np.allclose(a, b, rtol=6e-4)    # four digits are told
     speed = np.sqrt(E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / rho)
-    report.true("  particles, spacing, horizon", sum(rocks["particles"]) == (240 if dimension == 2 else 288)
-                and close(rocks["spacing"], SPACING) and close(rocks["horizon/spacing"], HORIZON), "right")
+    report.true("  particles, spacing, horizon",
+                sum(rocks["particles"]) == (240 if dimension == 2 else 288)
+                and close(rocks["spacing"], SPACING) and close(rocks["horizon/spacing"], HORIZON),
+                "right")
     report.true("  constants and speed of waves", close(rocks["E"], E) and close(rocks["nu"], nu)
                 and close(rocks["density"], rho) and close(rocks["wave_speed"], speed),
                 ", ".join(f"{v:.1f}" for v in rocks["wave_speed"]))
@@ -55,7 +58,8 @@ def numbers(report, dimension, pair=""):
     tensile = ucs * (np.sqrt(8**2 + 4) - 8) / 2    # sigma = ucs sqrt(1 - m sigma/ucs)
     energy = 15 * tensile**2 * SPACING / (2 * E)
     report.true("  strengths", close(strengths["UCS"], ucs) and close(strengths["tensile"], tensile)
-                and close(strengths["UCS/E"], ucs / E), ", ".join(f"{v:.4g}" for v in strengths["tensile"]))
+                and close(strengths["UCS/E"], ucs / E),
+                ", ".join(f"{v:.4g}" for v in strengths["tensile"]))
     report.true("  energy of cracks, toughness", close(strengths["crack_energy"], energy)
                 and close(strengths["toughness"], np.sqrt(E * energy)),
                 ", ".join(f"{v:.4g}" for v in strengths["crack_energy"]))
@@ -72,7 +76,8 @@ def again(report):
                 [t["E"][0] for t in found if "E" in t] == [40e9, 45e9], f"{len(found)} tables")
     parallel = block(2).add("run 2").run(3)
     alone = block(2).add("run 2").run()
-    report.true("the same on 3 processes", str(tables(parallel.log)) == str(tables(alone.log)), "to the digit")
+    report.true("the same on 3 processes", str(tables(parallel.log)) == str(tables(alone.log)),
+                "to the digit")
 
 
 def many_types(report):
@@ -80,14 +85,18 @@ def many_types(report):
     cloud = lattice("square", [40, 8], SPACING)
     cloud.type[:] = 1 + np.arange(len(cloud)) % 2
     cloud.type[0] = 100
-    scene = Scene(cloud, [material()] * 100).add("fix rock all tmsph/hoekbrown strength * 150e6 mi * 8\nrun 0")
-    rows = [line.split()[:2] for line in scene.run().log.split("type  particles")[1].split("\n")[1:5]]
-    report.true("100 types, most without particles", rows == [["1", "159"], ["2", "160"], ["3-99", "0"], ["100", "1"]],
-                str(rows))
+    scene = Scene(cloud,
+                  [material()] * 100).add("fix rock all tmsph/hoekbrown strength * 150e6 mi * 8\n"
+                                          "run 0")
+    rows = [line.split()[:2]
+            for line in scene.run().log.split("type  particles")[1].split("\n")[1:5]]
+    report.true("100 types, most without particles",
+                rows == [["1", "159"], ["2", "160"], ["3-99", "0"], ["100", "1"]], str(rows))
     cloud.type[:] = 1 + np.arange(len(cloud)) % 40
     log = Scene(cloud, [material(40e9 + 1e8 * k) for k in range(40)]).add("run 0").run().log
     rows = log.split("type  particles")[1].split("\n")
-    report.true("40 types that differ", rows[20].split()[0] == "20" and rows[21] == "  and 20 more", rows[21])
+    report.true("40 types that differ", rows[20].split()[0] == "20" and rows[21] == "  and 20 more",
+                rows[21])
 
 
 def thick(report):
@@ -98,14 +107,16 @@ def thick(report):
     line = next(line for line in run.log.splitlines() if "thickness(m)" in line).split()
     # the spacing, by which it is found, does not know the lattice: 0.866 of its square is a cell
     report.within("thickness of a plate of 20 mm", float(line[1]) / 0.02, 0.86, 1.0)
-    report.within("  thickness times area over volume", float(line[1]) * float(line[3]) / (0.02 * area),
-                  0.999, 1.001)
+    report.within("  thickness times area over volume",
+                  float(line[1]) * float(line[3]) / (0.02 * area), 0.999, 1.001)
 
 
 def other_units(report):
     for style, length, pressure, density, units in [
-            ("cgs", 1e2, 10, 1e-3, "spacing(cm) horizon/spacing E(dyn/cm2) nu density(g/cm3) wave_speed(cm/s)"),
-            ("micro", 1e6, 1e-3, 1e-3, "spacing(um) horizon/spacing E(pg/um/us2) nu density(pg/um3) wave_speed(um/us)"),
+            ("cgs", 1e2, 10, 1e-3, "spacing(cm) horizon/spacing E(dyn/cm2) nu density(g/cm3) "
+                                   "wave_speed(cm/s)"),
+            ("micro", 1e6, 1e-3, 1e-3, "spacing(um) horizon/spacing E(pg/um/us2) nu "
+                                       "density(pg/um3) wave_speed(um/us)"),
             ("lj", 1e3, 1, 1, "spacing horizon/spacing E nu density wave_speed")]:
         scene = Script(f"units {style}\ndimension 2\nboundary s s p\natom_style tmsph\n"
                        f"neighbor {SPACING * length:.6g} bin")
@@ -113,7 +124,8 @@ def other_units(report):
                   "region box block 0 9 0 9 -0.5 0.5\ncreate_box 1 box\ncreate_atoms 1 box\n"
                   f"set group all volume {(SPACING * length)**2:.6g}\n"
                   f"pair_style tmsph {HORIZON * SPACING * length:.6g}\n"
-                  f"pair_coeff 1 1 elastic {40e9 * pressure:.6g} 0.3 density {2700 * density:.6g}\nrun 0")
+                  f"pair_coeff 1 1 elastic {40e9 * pressure:.6g} 0.3 density {2700 * density:.6g}\n"
+                  "run 0")
         run = scene.run()
         heading = next(line for line in run.log.splitlines() if line.startswith("  type "))
         speed = tables(run.log)[0]["wave_speed"][0]

@@ -229,15 +229,16 @@ def vtk_reader(ours):
 
 
 def mdanalysis(ours):
-    """It reads ids, types and positions of a dump, in single precision and from the corner of the box;
-    further columns only as of a later version than Debian's."""
+    """It reads ids, types and positions of a dump, in single precision and from the corner of the
+    box; further columns only as of a later version than Debian's."""
     module = installed("MDAnalysis")
     if not module:
         return
     import warnings
     warnings.simplefilter("ignore")
     universe = module.Universe(str(folder / "dump.disc"), format="LAMMPSDUMP",
-                               topology_format="LAMMPSDUMP", lammps_coordinate_convention="unscaled")
+                               topology_format="LAMMPSDUMP",
+                               lammps_coordinate_convention="unscaled")
     good = len(universe.trajectory) == len(ours)
     for frame, _ in zip(ours, universe.trajectory):
         shift = universe.atoms.positions[:, :2] - frame("x y")

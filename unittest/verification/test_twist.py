@@ -60,7 +60,8 @@ fix contact all tmsph/contact friction * * {friction} surface interface""")
     report.within(f"friction {friction}: least torque/exact", ratio.min(), 0.97, 1.03)
     report.within(f"friction {friction}: largest torque/exact", ratio.max(), 0.97, 1.03)
     drift = normal[sliding] / normal[7] - 1
-    report.within(f"friction {friction}: least change of the normal force", drift.min(), -0.01, 0.01)
+    report.within(f"friction {friction}: least change of the normal force", drift.min(),
+                  -0.01, 0.01)
     report.within(f"friction {friction}: largest", drift.max(), -0.01, 0.01)
 
 

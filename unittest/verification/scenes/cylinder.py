@@ -24,7 +24,8 @@ class HollowCylinder:
         a = np.sqrt(np.count_nonzero(np.hypot(*whole.X.T) <= INNER) * cell / np.pi)
         b = np.sqrt(a**2 + len(cloud) * cell / np.pi)
         edges = (f"region hole sphere 0 0 0 {a:.17g} side out\nregion rim sphere 0 0 0 {b:.17g}\n"
-                 f"region half sphere 0 0 0 0.75\ngroup inner region half\ngroup outer subtract all inner\n"
+                 "region half sphere 0 0 0 0.75\ngroup inner region half\n"
+                 "group outer subtract all inner\n"
                  f"fix a inner tmsph/heat/boundary temperature {HOT} region hole\n"
                  "fix b outer tmsph/heat/boundary temperature 0.0 region rim")
         r = np.hypot(*cloud.X.T)
@@ -39,7 +40,8 @@ class HollowCylinder:
         scene.thermo("step fnorm f_a[1] f_b[1]").add(
             f"timestep {2.5 * (b - a)**2 / diffusivity / 40:.17g}\nneigh_modify every 1000\nrun 40")
         young, nu = ROCK["young"], ROCK["poisson"]
-        scale = young * ROCK["expansion"] * HOT / (2 * np.log(b / a)) / (1 - nu if plane == "strain" else 1)
+        scale = (young * ROCK["expansion"] * HOT / (2 * np.log(b / a))
+                 / (1 - nu if plane == "strain" else 1))
         scene.minimize(1e-6 * scale * spacing)
         run = scene.snapshot("end", "c_T c_p[*]").run(ranks)
         self.cost, end = run.cost, run.frame("end")
@@ -49,7 +51,8 @@ class HollowCylinder:
         hoop = scale * (1 - np.log(b / r) - ring * (1 + b**2 / r**2))
         c, s = cloud.X.T / r
         xx, yy, xy = end("c_p[1] c_p[2] c_p[3]").T
-        measured = (c * c * xx + s * s * yy + 2 * c * s * xy, s * s * xx + c * c * yy - 2 * c * s * xy)
+        measured = (c * c * xx + s * s * yy + 2 * c * s * xy,
+                    s * s * xx + c * c * yy - 2 * c * s * xy)
         error = np.stack([measured[0] - radial, measured[1] - hoop]) / np.abs(hoop).max()
         away = np.minimum(r - a, b - r) > AWAY * (b - a)
         self.temperature = rms(end["c_T"] - steady) / HOT

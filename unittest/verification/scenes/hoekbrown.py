@@ -19,7 +19,8 @@ def constants(gsi, disturbance, mi=MI):
 
 
 def critical(direction, rock, strength, zz=None):
-    """The factor by which principal stresses (tension positive) meet the criterion; by bisection."""
+    """The factor by which principal stresses (tension positive) meet the criterion; by
+    bisection."""
     values = list(direction) + ([zz] if zz is not None else [])
     S1, S3 = -min(values), -max(values)
     mb, s, a = rock
@@ -65,7 +66,8 @@ class Block:
         self.scene = Scene(self.cloud, [ROCK] * rocks)
         self.scene.add(f"fix hb all tmsph/hoekbrown {breaking}\n"
                        "compute s all tmsph/property/atom s1 s2 s3 strength\n"
-                       "compute low all reduce min c_s[1] c_s[3]\ncompute high all reduce max c_s[1] c_s[3]\n"
+                       "compute low all reduce min c_s[1] c_s[3]\n"
+                       "compute high all reduce max c_s[1] c_s[3]\n"
                        "compute b all tmsph/bond/local id1 id2 state\n"
                        "thermo_style custom step f_hb f_hb[1] f_hb[2] f_hb[4] c_low[*] c_high[*]\n"
                        "thermo_modify norm no format float %.17g\nrun 0")

@@ -32,7 +32,8 @@ class Patch:
             f"{i + 1} {int(not free)}\n" for i, free in enumerate(inside))
         scene.add("variable held atomfile held\ngroup held variable held\n"
                   "fix hold held setforce 0 0 0")
-        scene.minimize(residual * ROCK["young"] * STRAIN * SPACING ** (d - 1)).snapshot("d", "x y z")
+        scene.minimize(residual * ROCK["young"] * STRAIN * SPACING ** (d - 1))
+        scene.snapshot("d", "x y z")
         run = scene.run(ranks)
         self.cost = run.cost
         off = run.frame("d")("x y z")[:, :d] - affine

@@ -66,8 +66,10 @@ fix left all tmsph/wall line 0 1 0 -1
 fix right all tmsph/wall line {EDGE} -1 {EDGE} 1
 compute p all tmsph/property/atom syy sxx
 timestep {step:.17g}""")
-        scene.thermo("step time ke f_floor[2] f_plate[2] f_contact[2] f_contact[10] f_contact[8]", 500)
-        run = scene.add(f"run {int(1.4 * way / step)}").snapshot("end", "type x y c_p[*]").run(ranks)
+        scene.thermo("step time ke f_floor[2] f_plate[2] f_contact[2] f_contact[10] f_contact[8]",
+                     500)
+        run = scene.add(f"run {int(1.4 * way / step)}").snapshot("end",
+                                                                 "type x y c_p[*]").run(ranks)
         self.cost = run.cost
         should = exact([YOUNG, YOUNG * ratio])
         floor, contact = -run.thermo("f_floor[2]")[-1], -run.thermo("f_contact[2]")[-1]
