@@ -214,9 +214,9 @@ def launcher_for(ranks):
     return launcher
 
 
-def lmp_command(script, folder, ranks):
+def lmp_command(script, folder, ranks, log="none"):
     """Command and environment that run a script on so many processes."""
-    command = [os.environ["TMSPH_LMP"], "-in", script, "-log", "none", "-nocite"]
+    command = [os.environ["TMSPH_LMP"], "-in", script, "-log", log, "-nocite"]
     # a folder each: Open MPI's runs that start and end at once take a shared one away from each other
     environment = dict(os.environ, OMP_NUM_THREADS="1", TMPDIR=str(folder))
     launcher = launcher_for(ranks)
@@ -232,8 +232,8 @@ def lmp_command(script, folder, ranks):
 
 class Run:
     """One run of lmp: its thermodynamic output, its dumps (*.dump of particles, *.local of
-    rows), the files to keep and its cost. What it said is log; status is negative after a
-    signal, None if it took too long."""
+    rows), the files to keep and its cost. What it said on the screen is log; status is negative
+    after a signal, None if it took too long."""
 
     def __init__(self, scene, ranks, may_fail, keep="", timeout=None):
         folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
@@ -242,7 +242,7 @@ class Run:
                 (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
             (folder / "in.test").write_text("\n".join(scene.lines) + "\n")
-            command, environment = lmp_command("in.test", folder, ranks)
+            command, environment = lmp_command("in.test", folder, ranks, "log.test")
             try:
                 done = subprocess.run(command, cwd=folder, env=environment, timeout=timeout,
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -254,7 +254,9 @@ class Run:
             self.cost = Cost(self.log, ranks)
             if self.failed and not may_fail:
                 raise RuntimeError("lmp stopped:\n" + self.log[-3000:])
-            self.tables = read_thermo(self.log)
+            # not from the screen: how long a run takes decides what else is said there
+            log = folder / "log.test"
+            self.tables = read_thermo(log.read_text(errors="replace")) if log.exists() else []
             self.dumps = {file.stem: read_dump(file) for file in folder.glob("*.dump")}
             self.dumps.update((file.stem, read_dump(file)) for file in folder.glob("*.local"))
             self.kept = {file.name: file.read_bytes() for file in folder.glob(keep)} if keep else {}
