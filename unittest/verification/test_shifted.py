@@ -328,7 +328,7 @@ if __name__ == "__main__":
     report = Report()
     chosen = sys.argv[1:]
     for kind in FEATURES:
-        # equilibria that break are in test_shifted_long.py
+        # equilibria that break are in test_shifted_quasistatic.py
         if kind.__name__ in chosen or (not chosen and kind is not Quasistatic):
             shifted(report, kind, bool(chosen))
     if not chosen or "slide" in chosen:
