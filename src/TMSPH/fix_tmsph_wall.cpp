@@ -24,9 +24,10 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// a particle that just touches, but for round-off, remembers where; gap in half cells
+// a particle that just touches, but for round-off, is not held, and nothing of it is remembered;
+// gap in half cells
 
-static constexpr double TOUCHES_STILL = 1.0e-9;
+static constexpr double JUST_TOUCHES = 1.0e-9;
 
 /* ---------------------------------------------------------------------- */
 
@@ -154,9 +155,10 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
         normal[p] = damped_normal(normal[p], k, k / m, closing);
     }
 
-  const double least = -TOUCHES_STILL * gap_of(i);
-  const bool held = normal[0] > 0.0 || normal[1] > 0.0 || t.penetration[0] > least ||
-      (t.places == 2 && t.penetration[1] > least);
+  const double least = JUST_TOUCHES * gap_of(i);
+  bool held = false;
+  for (int p = 0; p < t.places; p++)
+    held = held || std::max(t.penetration[p], t.predicted[p]) > least;
   if (!held) {
     memories.erase(atom->tag[i]);
     return;
@@ -191,9 +193,8 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
 
     Point slip = {};
     for (int a = 0; a < domain->dimension; a++) {
-      const double driven = is_free[a] ? load[a].value / mass : 0.0;
       slip[a] = x[a] - origin[a] +
-          ahead * (atom->v[i][a] - wall[a] + ahead * ((atom->f[i][a] + force[a]) / m - driven));
+          ahead * (atom->v[i][a] - wall[a] + ahead * (t.a[a] + force[a] / m));
     }
     const double along = dot(slip, place.normal);
     for (int a = 0; a < 3; a++) slip[a] -= along * place.normal[a];

@@ -100,6 +100,7 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
     TMSPH::WallTouch place[2];
     double predicted[2], penetration[2];
     double stiffness;
+    Point a;        // acceleration by all other forces, against the wall by its load
   };
 
   class PairTMSPH *pair;
@@ -124,6 +125,7 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
   int version;                                    // of the bonds when they were listed
   bool started;                                   // this or an earlier run has been set up
   std::vector<Touching> touching;
+  std::vector<Fix *> prescribing;                 // that act after it
   std::vector<std::array<double, 10>> picture;    // of the last image: a type, then corners
   std::vector<double *> picture_rows;
   std::vector<int> picture_kinds;

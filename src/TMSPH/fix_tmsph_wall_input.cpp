@@ -283,6 +283,7 @@ void FixTMSPHWall::init()
     varies = true;
   }
   version = -1;
+  prescribing = TMSPHLastForce::prescribing(lmp);
   find_periods();
 }
 

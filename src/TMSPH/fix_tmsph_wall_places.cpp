@@ -11,10 +11,12 @@
 #include "domain.h"
 #include "error.h"
 #include "pair_tmsph.h"
+#include "tmsph_last_force.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
@@ -142,6 +144,8 @@ void FixTMSPHWall::to_image_near(const Point &x, Point &p) const
 void FixTMSPHWall::find_touching(double dt)
 {
   touching.clear();
+  std::optional<TMSPHLastForce::Prescribed> prescribed;
+  if (dt > 0.0) prescribed.emplace(lmp, prescribing);
   for (size_t n = 0; n < candidates.size();) {
     const int i = candidates[n].i;
     Touching t, other;
@@ -183,15 +187,15 @@ void FixTMSPHWall::predict(Touching &t, double dt) const
   const double ahead = TMSPH::ahead(law, dt), gap = gap_of(i);
   const Point v = motion.velocity_at(t.x);
   double deepest = -gap;
+  for (int a = 0; a < 3; a++)
+    t.a[a] = atom->f[i][a] / atom->rmass[i] - (is_free[a] ? load[a].value / mass : 0.0);
   for (int p = 0; p < t.places; p++) {
     t.place[p].normal = motion.turned(t.place[p].normal);
     t.penetration[p] = t.predicted[p] = gap - t.place[p].gap;
     deepest = std::max(deepest, t.penetration[p]);
-    for (int a = 0; a < 3; a++) {
-      const double driven = is_free[a] ? load[a].value / mass : 0.0;
-      t.predicted[p] -= t.place[p].normal[a] * ahead *
-          (atom->v[i][a] - v[a] + ahead * (atom->f[i][a] / atom->rmass[i] - driven));
-    }
+    for (int a = 0; a < 3; a++)
+      t.predicted[p] -=
+          t.place[p].normal[a] * ahead * (atom->v[i][a] - v[a] + ahead * t.a[a]);
   }
   t.stiffness = stiffness_of(i, deepest, dt > 0.0 ? dt : update->dt);
 }

@@ -17,15 +17,34 @@
 
 #include <algorithm>
 #include <mpi.h>
+#include <vector>
 
 namespace LAMMPS_NS {
+
+class Fix;
 
 namespace TMSPHLastForce {
 
   /** Puts fixes that predict the step behind all others that act on forces, before LAMMPS lists
-      which fix acts when: contact, then walls by their ids, then those that only act at the end of
-      steps, which may look at the former. All others stay in the order of the input. */
+      which fix acts when: contact, then walls by their ids, then those that prescribe forces, like
+      setforce, unless others act on the same particles after them; then those that only act at
+      the end of steps, which may look at the former. All others stay in the order of the input. */
   void put_last(class LAMMPS *);
+
+  /** Fixes that prescribe forces after the package's have acted. */
+  std::vector<Fix *> prescribing(class LAMMPS *);
+
+  /** While it lives forces are those that such fixes would make of them. */
+  class Prescribed {
+   public:
+    Prescribed(class LAMMPS *, const std::vector<Fix *> &);
+    ~Prescribed();
+    Prescribed(const Prescribed &) = delete;
+
+   private:
+    double **const f;
+    std::vector<double> before;
+  };
 
   /** Of a particle, the same in a run and after LAMMPS has put it back into the box, by the
       operations of Domain::pbc(). */

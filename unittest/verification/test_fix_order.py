@@ -132,9 +132,43 @@ def restarts(report):
         report.true(f"restart in order {seed + 7} of a run in order {seed}", same, "same bits")
 
 
+def held(dimension, more=""):
+    """A block falls on the top rows of another, which are held by fix setforce."""
+    speed = ["1"] * (dimension - 1) + ["-5"]
+    top = {2: 5, 3: 4}[dimension] - 1.1
+
+    def make(seed):
+        low = " ".join(["INF INF"] * (dimension - 1) + [f"{top * SPACING} INF"] + ["INF INF"] * (3 - dimension))
+        scene = blocks(dimension).add(f"region above block {low} units box\ngroup above region above\n"
+                                      "group low type 1\ngroup top intersect above low\n"
+                                      f"velocity high set {' '.join(speed[:dimension] + ['NULL'] * (3 - dimension))}")
+        fixes = ["fix hold top setforce 0 0 0", "fix touch all tmsph/contact friction * * 0.4",
+                 "fix drag all viscous 1e-9"] + ([more] if more else [])
+        order = [fixes[0], fixes[1], fixes[2]] if seed % 2 else [fixes[1], fixes[2], fixes[0]]
+        scene.add("\n".join(order + fixes[3:]))
+        scene.add("compute f all reduce sum fx fy fz\ncompute all all reduce sum vx vy vz\ncompute v top reduce maxabs vx vy vz")
+        return scene.thermo("step f_touch[8] f_hold[*] c_f[*] c_v[*] c_all[*]", 20).add("run 100")
+    return make
+
+
+def stays(report, dimension):
+    """What fix setforce holds does not move under contact; the fix tells the whole force on it."""
+    table = outcome(held(dimension)(1))[0].tables[-1]
+    columns = lambda name: np.array([table[f"{name}[{k}]"] for k in (1, 2, 3)])
+    report.true(f"{dimension}-D: the held rows are touched", table["f_touch[8]"][-1] > 0, "so that they could move")
+    report.true(f"{dimension}-D: held rows stay", not columns("c_v").any(), "exactly")
+    whole = np.abs(columns("f_hold") + columns("c_f") + 1e-9 * columns("c_all")).max()
+    report.below(f"{dimension}-D: force of fix setforce less that on all particles, and the drag", whole / np.abs(columns("f_hold")).max(), 1e-10)
+    pushed = outcome(held(dimension, "fix push top addforce 1 0 0")(1))[0].tables[-1]
+    report.true(f"{dimension}-D: a force after it acts", (pushed["c_v[1]"][1:] > 0).all(), "as in LAMMPS")
+
+
 report = Report()
 alike(report, "2-D", dynamics(2), (1, 2, 3, 4, 5, 6), rubs)
 alike(report, "3-D", dynamics(3), (1, 2), rubs)
+for d in (2, 3):
+    alike(report, f"{d}-D, held", held(d), (1, 2), lambda run: run.thermo("f_touch[8]")[-1] > 0.0)
+    stays(report, d)
 alike(report, "a force that comes between runs", between_runs, (1, 2), rubs)
 touches = lambda run: run.thermo("f_floor[2]").any() and run.thermo("f_touch[2]").any()
 alike(report, "minimize", equilibrium("minimize 0 0 20 40"), (1, 2), touches)
