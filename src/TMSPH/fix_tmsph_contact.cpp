@@ -98,14 +98,13 @@ template <int D> void FixTMSPHContact::apply_again()
 {
   for (const Member &m : members)
     for (int a = 0; a < D; a++) atom->f[m.i][a] += m.memory->force[a];
-  if (any_pairs || (segments && segments->any)) balance_couples<D>();
+  if (any_pairs || (segments && segments->any)) balance_couples<D>(false);
 }
 
 /* ----------------------------------------------------------------------
    Two passes over the pairs: which are active and how stiff all contacts of a
    particle are together, then the forces. Each particle sums them in the order
-   of its partners' ids. Of the forces that will balance their couples those of the last step
-   are predicted.
+   of its partners' ids.
 ------------------------------------------------------------------------- */
 
 template <int D> void FixTMSPHContact::evaluate(double dt)
@@ -127,18 +126,7 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
 
   width = facing ? SegmentRow::WIDTH : Row::WIDTH;
   rows.resize((size_t) width * (atom->nlocal + atom->nghost));
-  const double *gradient = pair->step_gradient();
-  for (const Member &m : members) {
-    double *row = rows.data() + (size_t) width * m.i;
-    std::copy_n(gradient + (size_t) D * D * m.i, D * D, row + Row::H);
-    for (int a = 0; a < D; a++) {
-      row[Row::V + a] = dt > 0.0 ? atom->v[m.i][a] : 0.0;
-      row[Row::A + a] =
-          dt > 0.0 ? (atom->f[m.i][a] + m.memory->balance[a]) / atom->rmass[m.i] : 0.0;
-    }
-    row[Row::BEARS] = pair->bears_stress<D>(m.i);
-    row[Row::COMPLIANCE] = 0.0;
-  }
+  fill_rows<D>(dt > 0.0);
   velocities_sent = dt > 0.0 && pair->box().carries_velocities() ? Row::V : -1;
   send(0, Row::COMPLIANCE);
   velocities_sent = -1;
@@ -185,8 +173,8 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     act.share = p.pair.share;
     const bool low = rows[(size_t) width * p.low + Row::BEARS] != 0.0;
     const bool high = rows[(size_t) width * p.high + Row::BEARS] != 0.0;
-    act.borne[0] = !low ? 0.0 : high ? act.share : 1.0;
-    act.borne[1] = !high ? 0.0 : low ? 1.0 - act.share : 1.0;
+    act.borne[0] = !low ? 0.0 : high ? 0.5 : 1.0;    // as they turn the normal
+    act.borne[1] = !high ? 0.0 : low ? 0.5 : 1.0;
     totals[WORK] += p.copy ? heat : 0.5 * heat;
     if (!heats.empty()) heats[n] = heat;
     totals[DEEPEST] = std::max(totals[DEEPEST], s.penetration);
@@ -206,15 +194,42 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
       const Act &act = acts[e.pairing];
       Effect &effect = atom->type[m.i] < atom->type[e.j] ? counted : other;
       effect.add<D>(e.low ? -1.0 : 1.0, e.low ? act.share : 1.0 - act.share,
-                    act.borne[e.low ? 0 : 1], act.f, act.r);
+                    act.borne[e.low ? 0 : 1], act.f, act.r, states[e.pairing].normal);
     }
     add_to_totals(m.i, counted);
     counted.add(other);
     acts_on(counted, m);
   }
   if (pair->keeps_touches()) keep_touches<D>(states, heats);
-  balance_couples<D>();
+  balance_couples<D>(true);
   if (search_due) search<D>(states);
+}
+
+/* ----------------------------------------------------------------------
+   what an evaluation tells of its particles, but for the compliance
+   @param predicts else velocities and accelerations are 0
+------------------------------------------------------------------------- */
+
+template <int D> void FixTMSPHContact::fill_rows(bool predicts)
+{
+  using Row = ContactRow<D>;
+  const double *gradient = pair->step_gradient();
+  for (const Member &m : members) {
+    double *row = rows.data() + (size_t) width * m.i;
+    std::copy_n(gradient + (size_t) D * D * m.i, D * D, row + Row::H);
+    std::fill_n(row + Row::V, 2 * D, 0.0);
+    row[Row::BEARS] = pair->bears_stress<D>(m.i);
+    row[Row::COMPLIANCE] = 0.0;
+  }
+  if (!predicts) return;
+  const TMSPHLastForce::Prescribed prescribed(lmp, prescribing);
+  for (const Member &m : members) {
+    double *row = rows.data() + (size_t) width * m.i;
+    for (int a = 0; a < D; a++) {
+      row[Row::V + a] = atom->v[m.i][a];
+      row[Row::A + a] = atom->f[m.i][a] / atom->rmass[m.i];
+    }
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -225,10 +240,12 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
 void FixTMSPHContact::add_to_totals(int i, const Effect &effect)
 {
   const double *x = atom->x[i], *f = effect.force;
+  double couple[3];
+  domain->dimension == 2 ? couple_of<2>(effect.tilt, couple) : couple_of<3>(effect.tilt, couple);
   for (int a = 0; a < 3; a++) {
     totals[FORCE + a] += f[a];
     totals[TORQUE + a] += x[(a + 1) % 3] * f[(a + 2) % 3] - x[(a + 2) % 3] * f[(a + 1) % 3] +
-        effect.couple[a];
+        couple[a];
   }
 }
 
@@ -250,11 +267,9 @@ void FixTMSPHContact::write_back()
 
 void FixTMSPHContact::Effect::add(const Effect &other)
 {
-  for (int a = 0; a < 3; a++) {
-    force[a] += other.force[a];
-    couple[a] += other.couple[a];
-  }
+  for (int a = 0; a < 3; a++) force[a] += other.force[a];
   for (int k = 0; k < 6; k++) stress[k] += other.stress[k];
+  for (int k = 0; k < 9; k++) tilt[k] += other.tilt[k];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -265,7 +280,7 @@ void FixTMSPHContact::acts_on(const Effect &effect, const Member &m)
   for (int a = 0; a < domain->dimension; a++) atom->f[m.i][a] += effect.force[a];
   std::copy_n(effect.force, 3, memory.force);
   for (int k = 0; k < 6; k++) memory.stress[k] = effect.stress[k] / atom->vfrac[m.i];
-  std::copy_n(effect.couple, 3, memory.couple);
+  std::copy_n(effect.tilt, 9, memory.tilt);
 }
 
 /* ----------------------------------------------------------------------

@@ -126,7 +126,7 @@ class FixTMSPHContact : public Fix,
   /** What a particle with contacts remembers of its last step. */
   struct Memory {
     double force[3] = {}, stress[6] = {};            // by contact; share of the Cauchy stress
-    double couple[3] = {}, balance[3] = {};          // by contact; force by bonds that balance some
+    double tilt[9] = {};                             // moments f x of what bonds have to balance
     std::uint64_t stamp = 0;                         // fingerprint at the end of the run
     std::vector<Record> records;                     // of the reference family, ascending partners
     std::vector<Met> met;                            // ascending partners
@@ -187,9 +187,10 @@ class FixTMSPHContact : public Fix,
   };
   /** What contacts do to a particle. */
   struct Effect {
-    double force[3] = {}, stress[6] = {}, couple[3] = {};    // stress: times volume
+    double force[3] = {}, stress[6] = {}, tilt[9] = {};    // stress: times volume
     template <int D>
-    void add(double sign, double share, double borne, const double *f, const double *r);
+    void add(double sign, double share, double borne, const double *f, const double *r,
+             const double *normal);
     void add(const Effect &);
   };
   /** What a pair does in a step, in the compact form that both ends take it from. */
@@ -209,11 +210,6 @@ class FixTMSPHContact : public Fix,
     int i, first, last;    // local particle, its ends
     Memory *memory;
   };
-  /** A local particle with a bond to one that may touch, or one itself. */
-  struct Bearer {
-    int i;
-    Memory *memory;        // nullptr: no contacts
-  };
 
   PairTMSPH *pair;
   FixTMSPHBond *bonds;
@@ -232,7 +228,8 @@ class FixTMSPHContact : public Fix,
   std::vector<double> pressing;              // stiffness of each pair that presses, else 0
   std::vector<Act> acts;                     // of those
   bool records_behind;                       // the pairings know more than the records
-  std::vector<Bearer> bearers;
+  std::vector<int> bearers;                  // local particles with a bond to one that may touch
+  std::vector<Fix *> prescribing;            // that act after it
   bool any_pairs;                            // on any processor
   bool resumed;                              // the setup takes the forces of the last step again
   int version, removals;                     // of the bonds when the pairs were listed
@@ -276,9 +273,10 @@ class FixTMSPHContact : public Fix,
   bool may_meet(int i, int j) const;
   void plan_search();
   template <int D> void evaluate(double dt);
+  template <int D> void fill_rows(bool predicts);
   void acts_on(const Effect &, const Member &);
   void find_bearers();
-  template <int D> void balance_couples();
+  template <int D> void balance_couples(bool anew);
   void write_back();
   void add_to_totals(int i, const Effect &);
   template <int D> void apply_again();
@@ -319,23 +317,23 @@ inline TMSPH::ContactEnd<D> FixTMSPHContact::end_at(int p, bool expands) const
     @param sign  1 at the second of them, on which f acts, -1 at the first
     @param share depth of the particle below its surface/sum of both depths
     @param borne share of the particle in the couple
-    @param r     from the first point to the second */
+    @param r     from the first point to the second
+    @param normal of the surface, of unit length */
 template <int D>
 inline void FixTMSPHContact::Effect::add(double sign, double share, double borne, const double *f,
-                                         const double *r)
+                                         const double *r, const double *normal)
 {
   const double part = 0.25 + 0.5 * share;    // of the stress: by depth and evenly, the mean
   for (int a = 0; a < D; a++) {
     force[a] += sign * f[a];
     stress[a] -= part * f[a] * r[a];
   }
-  couple[2] -= borne * (r[0] * f[1] - r[1] * f[0]);
   stress[3] -= 0.5 * part * (f[0] * r[1] + f[1] * r[0]);
-  if (D == 2) return;
-  couple[0] -= borne * (r[1] * f[2] - r[2] * f[1]);
-  couple[1] -= borne * (r[2] * f[0] - r[0] * f[2]);
-  stress[4] -= 0.5 * part * (f[0] * r[2] + f[2] * r[0]);
-  stress[5] -= 0.5 * part * (f[1] * r[2] + f[2] * r[1]);
+  if (D == 3) {
+    stress[4] -= 0.5 * part * (f[0] * r[2] + f[2] * r[0]);
+    stress[5] -= 0.5 * part * (f[1] * r[2] + f[2] * r[1]);
+  }
+  if (borne != 0.0) TMSPH::add_tilt<D>(borne, f, r, normal, tilt);
 }
 
 }    // namespace LAMMPS_NS

@@ -25,28 +25,25 @@ template <int D> using Square = Eigen::Matrix<double, D, D>;
 static constexpr double FLAT = 0.01;
 
 /* ----------------------------------------------------------------------
-   S such that forces W_ij S x_ij on the partners exert the couple c together: the skew stress
-   S M = [c]/2 has no part in the virial and does no work in a change of shape. Where the bonds are
-   crushed flat they turn as if they were rigid, S = [w] with c = (tr M - M) w.
+   S such that forces W_ij S x_ij on the partners have the moments S M = T. Where the bonds are crushed
+   flat they turn as if they were rigid, S = [w] with the same couple c = (tr M - M) w.
    @param M sum of W_ij x_ij x_ij^T
+   @param T sum of f x to be exerted
 ------------------------------------------------------------------------- */
 
-template <int D> static Square<D> balance(const Square<D> &M, const double *couple)
+template <int D> static Square<D> balance(const Square<D> &M, const Square<D> &T)
 {
-  const auto cross = [](const double *c) {
-    Square<D> C = Square<D>::Zero();
-    for (int a = 0; a < D; a++)
-      for (int b = 0; b < D; b++)
-        if (a != b) C(a, b) = (b - a + 3) % 3 == 1 ? -c[3 - a - b] : c[3 - a - b];
-    return C;
-  };
   const double mean = M.trace() / D, flat = D == 2 ? FLAT * mean * mean : FLAT * mean * mean * mean;
-  if (M.determinant() > flat) return 0.5 * cross(couple) * M.inverse();
-  const Eigen::Map<const Eigen::Vector3d> c(couple);
+  if (M.determinant() > flat) return T * M.inverse();
   Eigen::Matrix3d inertia = M.trace() * Eigen::Matrix3d::Identity();
   if constexpr (D == 3) inertia -= M;
-  const Eigen::Vector3d turn = inertia.inverse() * c;
-  return cross(turn.data());
+  const Eigen::Matrix<double, D, D, Eigen::RowMajor> moments = T;
+  Eigen::Vector3d couple;
+  couple_of<D>(moments.data(), couple.data());
+  const Eigen::Vector3d w = inertia.inverse() * couple;
+  Eigen::Matrix3d turn;
+  turn << 0.0, -w[2], w[1], w[2], 0.0, -w[0], -w[1], w[0], 0.0;
+  return turn.topLeftCorner<D, D>();
 }
 
 /* ----------------------------------------------------------------------
@@ -65,16 +62,18 @@ void FixTMSPHContact::find_bearers()
     for (int k = 0; k < bonds->count(i) && !bears; k++)
       bears = rows[bonds->partner_index(i, k)] != 0.0 &&
           bonds->bond_state(i, k) == FixTMSPHBond::INTACT;
-    if (bears) bearers.push_back({i, rows[i] != 0.0 ? &memories[atom->tag[i]] : nullptr});
+    if (bears) bearers.push_back(i);
   }
 }
 
 /* ----------------------------------------------------------------------
    each particle gathers from its bonds, in the order of the partners' ids
+   @param anew the stress of contacts does not know that of these forces yet
 ------------------------------------------------------------------------- */
 
-template <int D> void FixTMSPHContact::balance_couples()
+template <int D> void FixTMSPHContact::balance_couples(bool anew)
 {
+  constexpr int TOUCHES = D * D;    // column, behind S
   const Slices &layout = bonds->layout();
   const auto each_bond = [&](int i, auto use) {
     for (int k = 0; k < bonds->count(i); k++) {
@@ -88,35 +87,47 @@ template <int D> void FixTMSPHContact::balance_couples()
     }
   };
 
-  width = D * D;
+  width = D * D + 1;
   rows.assign((size_t) width * (atom->nlocal + atom->nghost), 0.0);
-  const auto row = [this](int i) {
-    return Eigen::Map<Square<D>>(rows.data() + (size_t) width * i);
-  };
+  const auto row = [this](int i) { return rows.data() + (size_t) width * i; };
+  const auto S = [row](int i) { return Eigen::Map<Square<D>>(row(i)); };
   for (const Member &m : members) {
-    const double *couple = m.memory->couple;
-    if ((couple[0] == 0.0 && couple[1] == 0.0 && couple[2] == 0.0) || !pair->bears_stress<D>(m.i))
-      continue;
+    row(m.i)[TOUCHES] = 1.0;
+    const Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>> tilt(m.memory->tilt);
+    if (tilt.isZero(0.0)) continue;
     Square<D> moment = Square<D>::Zero();
     each_bond(m.i, [&](int, double weight, const Vector<D> &x) {
       moment += weight * x * x.transpose();
     });
-    row(m.i) = balance<D>(moment, couple);
+    S(m.i) = balance<D>(moment, tilt);
   }
   send(0, width);
 
-  for (const Bearer &bearer : bearers) {
-    const int i = bearer.i;
+  for (const int i : bearers) {
     Vector<D> force = Vector<D>::Zero();
     each_bond(i, [&](int j, double weight, const Vector<D> &x) {
-      force -= weight * ((row(i) + row(j)) * x);
+      force -= weight * ((S(i) + S(j)) * x);
     });
     for (int a = 0; a < D; a++) atom->f[i][a] += force[a];
-    if (bearer.memory) std::copy_n(force.data(), D, bearer.memory->balance);
+  }
+
+  // one half of the virial of a bond to each end that keeps it
+
+  for (const Member &m : members) {
+    if (!anew) break;
+    Square<D> virial = Square<D>::Zero();
+    each_bond(m.i, [&](int j, double weight, const Vector<D> &x) {
+      const double own = row(j)[TOUCHES] != 0.0 ? 0.5 : 1.0;
+      virial += weight * ((own * S(m.i) + 0.5 * S(j)) * x) * x.transpose();
+    });
+    const double scale = 0.5 / atom->vfrac[m.i];
+    for (int a = 0; a < D; a++)
+      for (int b = a; b < D; b++)
+        m.memory->stress[a == b ? a : a + b + 2] -= scale * (virial(a, b) + virial(b, a));
   }
 }
 
 // for fix_tmsph_contact.cpp
 
-template void FixTMSPHContact::balance_couples<2>();
-template void FixTMSPHContact::balance_couples<3>();
+template void FixTMSPHContact::balance_couples<2>(bool);
+template void FixTMSPHContact::balance_couples<3>(bool);

@@ -135,6 +135,7 @@ void FixTMSPHContact::init()
     error->all(FLERR, "More than one fix tmsph/contact: give all types in a single one");
   bonds = pair->bonds();
   pair->set_contact(this);
+  prescribing = TMSPHLastForce::prescribing(lmp);
   comm_forward = MOST_SENT;    // for LAMMPS's buffers; send() changes it
   bool bodies = false;
   for (int i = 1; i <= atom->ntypes; i++)
@@ -165,7 +166,7 @@ void FixTMSPHContact::init()
 }
 
 /* ----------------------------------------------------------------------
-   for one particle: numbers of pairs, forces and couples, then the pairs of the
+   for one particle: numbers of pairs, forces and moments, then the pairs of the
    reference family (a negative id if they parted), those that met later and those that
    heat passes
 ------------------------------------------------------------------------- */
@@ -175,7 +176,7 @@ static constexpr int PAST_SIZE = sizeof(ContactPast) / sizeof(double);
 
 int FixTMSPHContact::exchange_size(int nrecords, int nmet, int nanchors, int npressed)
 {
-  return 22 + (1 + PAST_SIZE) * nrecords + (1 + PAST_SIZE + GEOMETRY_SIZE) * nmet +
+  return 25 + (1 + PAST_SIZE) * nrecords + (1 + PAST_SIZE + GEOMETRY_SIZE) * nmet +
       4 * nanchors + 3 * npressed;
 }
 
@@ -211,8 +212,7 @@ int FixTMSPHContact::pack_exchange(int i, double *buf)
   *p++ = ubuf((int) memory.pressed.size()).d;
   p = std::copy_n(memory.force, 3, p);
   p = std::copy_n(memory.stress, 6, p);
-  p = std::copy_n(memory.couple, 3, p);
-  p = std::copy_n(memory.balance, 3, p);
+  p = std::copy_n(memory.tilt, 9, p);
   *p++ = ubuf((int64_t) memory.stamp).d;
   *p++ = memory.rubbed;
   *p++ = memory.apart;
@@ -259,8 +259,7 @@ int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
   Memory &memory = memories[atom->tag[nlocal]];
   take(memory.force, 3);
   take(memory.stress, 6);
-  take(memory.couple, 3);
-  take(memory.balance, 3);
+  take(memory.tilt, 9);
   memory.stamp = (std::uint64_t) ubuf(*p++).i;
   memory.rubbed = *p++;
   memory.apart = *p++;

@@ -325,7 +325,9 @@ void FixTMSPHContact::add_places(int i, Effect &counted, Effect &other) const
     Effect &effect = atom->type[i] < atom->type[j] ? counted : other;
     const double f[2] = {weight * force[Row::F], weight * force[Row::F + 1]};
     const double borne = sign > 0.0 ? force[Row::BORNE] : force[Row::BORNE] == 0.0;
-    effect.add<2>(sign, share, bears * borne, f, force + Row::R);
+    const double *r = force + Row::R, length = std::hypot(r[0], r[1]);
+    const double normal[2] = {length > 0.0 ? r[0] / length : 1.0, length > 0.0 ? r[1] / length : 0.0};
+    effect.add<2>(sign, share, bears * borne, f, r, normal);
   };
   if (s.slave_of[i] >= 0)
     for (int n = 0; n < s.slaves[s.slave_of[i]].count; n++) {

@@ -23,8 +23,8 @@ namespace TMSPH {
     means M of lambda + 2 mu and G of mu of both ends, make a closed cut as stiff as the intact
     body. Calibrated on flat cuts at several angles, through square and hexagonal lattices in 2-D,
     simple cubic and face-centered cubic ones in 3-D: unittest/verification/test_closed_cut.py. */
-template <int D> constexpr double CLOSURE = D == 2 ? 0.593 : 0.50;
-template <int D> constexpr double SHEAR_CLOSURE = D == 2 ? 0.69 : 0.67;
+template <int D> constexpr double CLOSURE = D == 2 ? 0.593 : 0.47;
+template <int D> constexpr double SHEAR_CLOSURE = D == 2 ? 0.56 : 0.52;
 
 /** Where the surfaces of a pair are. */
 struct PairGeometry {
@@ -153,8 +153,10 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
   s.central = !low.bears && !high.bears;
   const bool loose = pair.loose != 0.0 || s.central;    // along the line between
   double n_low[D], n_high[D], square = 0.0, low_one = 0.0, high_one = 0.0;
-  carried_normal<D>(low.H, pair.normal_low, n_low);
-  carried_normal<D>(high.H, pair.normal_high, n_high);
+  const double *H_low = low.bears || s.central ? low.H : high.H;    // a point has no gradient
+  const double *H_high = high.bears || s.central ? high.H : low.H;
+  carried_normal<D>(H_low, pair.normal_low, n_low);
+  carried_normal<D>(H_high, pair.normal_high, n_high);
   for (int a = 0; a < D; a++) {
     s.r[a] = high.x[a] - low.x[a];
     s.normal[a] = loose ? s.r[a] : n_low[a] + n_high[a];
@@ -170,9 +172,9 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
   for (int a = 0; a < D; a++) s.normal[a] = length > 0.0 ? s.normal[a] / length : n_low[a];
   s.lean = !loose && low_one > 0.5 && high_one > 0.5 ? 0.5 * length : 1.0;
   if (low_one > 0.5)
-    tangents(s.normal, low.H, pair.normal_low, s.tangent);
+    tangents(s.normal, H_low, pair.normal_low, s.tangent);
   else
-    tangents(s.normal, high.H, pair.normal_high, s.tangent);
+    tangents(s.normal, H_high, pair.normal_high, s.tangent);
 
   double next[D], apart = 0.0, apart_next = 0.0;
   for (int a = 0; a < D; a++) {
@@ -228,6 +230,48 @@ inline double contact_force(ContactLaw law, const ContactPair &pair, const Conta
     past.moved[k] += excess[k] / s.stretch;
   }
   return normal;
+}
+
+/** Forces f and -f at two points a vector r apart turn the pair by r x f, which the bonds of the ends
+    have to balance, by c = -r x f. The normals of the ends are carried by their gradients, n ~ F^-T N:
+    they turn where n . (dF F^-1) t of a direction t along the surface is not 0, and not when the
+    surface is sheared. So what does work on all that the law measures, and on nothing else, are
+    moments sum f x of the forces in the bonds along n: n (n x c), and for the part of the couple about n,
+    which turns the tangents, skew ones.
+    @param share of this end
+    @param tilt  D x D, row-major: the moments are added */
+template <int D>
+inline void add_tilt(double share, const double *f, const double *r, const double *n, double *tilt)
+{
+  double c[3] = {0.0, 0.0, share * (f[0] * r[1] - f[1] * r[0])}, along[3];
+  if constexpr (D == 2) {
+    along[0] = n[1] * c[2];
+    along[1] = -n[0] * c[2];
+  } else {
+    cross_product(f, r, c);
+    for (int a = 0; a < 3; a++) c[a] *= share;
+    cross_product(n, c, along);
+  }
+  for (int a = 0; a < D; a++)
+    for (int b = 0; b < D; b++) tilt[D * a + b] += n[a] * along[b];
+  if constexpr (D == 3) {
+    const double half = 0.5 * (c[0] * n[0] + c[1] * n[1] + c[2] * n[2]);
+    for (int a = 0; a < 3; a++) {
+      const int b = (a + 1) % 3, d = (a + 2) % 3;
+      tilt[3 * b + a] += half * n[d];
+      tilt[3 * a + b] -= half * n[d];
+    }
+  }
+}
+
+/// couple of moments sum f x
+template <int D> inline void couple_of(const double *tilt, double *couple)
+{
+  std::fill_n(couple, 3, 0.0);
+  for (int a = D == 2 ? 2 : 0; a < 3; a++) {
+    const int b = (a + 1) % 3, c = (a + 2) % 3;
+    couple[a] = tilt[D * c + b] - tilt[D * b + c];
+  }
 }
 
 /** A pair whose surfaces are found anew keeps its energy, or has less: slip along a surface that
