@@ -69,12 +69,8 @@ void ComputeTMSPHCrack::compute_vector()
   for (int i = 0; i < atom->nlocal; i++) {
     int broken = 0;
     double reach = 0.0;
-    for (int k = 0; k < bonds->count(i); k++) {
-      const auto state = bonds->bond_state(i, k);
-      if (state == FixTMSPHBond::UNBONDED) continue;
-      if (state == FixTMSPHBond::CUT) sum[1] += 0.5;
-      const int j = bonds->partner_index(i, k);
-      if (j == i) continue;    // a fragment that went out of reach
+    sum[1] += 0.5 * bonds->count_in(i, 1u << FixTMSPHBond::CUT);
+    for (const auto &[k, j, state] : bonds->family(i, FixTMSPHBond::FORMED)) {
       double X[3], R2 = 0.0, stretched = 0.0;
       bonds->reference_vector(i, j, X);
       for (int c = 0; c < 3; c++) R2 += X[c] * X[c];

@@ -99,12 +99,7 @@ ComputeTMSPHPropertyAtom::Column ComputeTMSPHPropertyAtom::column(const std::str
   if (word == "volume") return [this](int i) { return atom->vfrac[i]; };
   if (word == "radius") return [this](int i) { return 0.5 * pair->bonds()->spacing(i); };
   const auto bonds_in = [this](FixTMSPHBond::State state) {
-    return [this, state](int i) {
-      int n = 0;
-      for (int k = 0; k < pair->bonds()->count(i); k++)
-        n += pair->bonds()->bond_state(i, k) == state;
-      return (double) n;
-    };
+    return [this, state](int i) { return (double) pair->bonds()->count_in(i, 1u << state); };
   };
   if (word == "nbond") return bonds_in(FixTMSPHBond::INTACT);
   if (word == "nbroken") return bonds_in(FixTMSPHBond::BROKEN);

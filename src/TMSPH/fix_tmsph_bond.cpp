@@ -279,7 +279,7 @@ void FixTMSPHBond::release_list()
 void FixTMSPHBond::check_families() const
 {
   bigint few = 0, all;
-  for (int i = 0; i < atom->nlocal; i++) few += count_formed(i) < domain->dimension;
+  for (int i = 0; i < atom->nlocal; i++) few += count_in(i, FORMED) < domain->dimension;
   MPI_Allreduce(&few, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all > atom->natoms / 2)
     error->all(FLERR,
@@ -446,17 +446,16 @@ void FixTMSPHBond::remove_bond(int i, int k, State why)
 
 void FixTMSPHBond::update_damage(int i)
 {
-  int broken = 0;
-  for (int k = 0; k < npartner[i]; k++) broken += state[i][k] == BROKEN;
-  const int formed = count_formed(i);
+  const int broken = count_in(i, 1u << BROKEN), formed = count_in(i, FORMED);
   atom->damage[i] = formed ? (double) broken / formed : 0.0;
 }
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHBond::count_formed(int i) const
+int FixTMSPHBond::count_in(int i, unsigned states) const
 {
-  return npartner[i] - std::count(state[i], state[i] + npartner[i], (unsigned char) UNBONDED);
+  return std::count_if(state[i], state[i] + npartner[i],
+                       [states](unsigned char one) { return states >> one & 1u; });
 }
 
 /* ---------------------------------------------------------------------- */
@@ -464,8 +463,7 @@ int FixTMSPHBond::count_formed(int i) const
 bigint FixTMSPHBond::count_bonds(State which) const
 {
   bigint mine = 0, all;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < npartner[i]; k++) mine += state[i][k] == which;
+  for (int i = 0; i < atom->nlocal; i++) mine += count_in(i, 1u << which);
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   return all / 2;
 }
@@ -476,8 +474,9 @@ std::pair<int, int> FixTMSPHBond::family_sizes() const
 {
   int mine[2] = {-MAXSMALLINT, 0}, all[2];    // minus the smallest, the largest
   for (int i = 0; i < atom->nlocal; i++) {
-    mine[0] = std::max(mine[0], -count_formed(i));
-    mine[1] = std::max(mine[1], count_formed(i));
+    const int formed = count_in(i, FORMED);
+    mine[0] = std::max(mine[0], -formed);
+    mine[1] = std::max(mine[1], formed);
   }
   MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
   return {-all[0], all[1]};

@@ -63,6 +63,16 @@ class FixTMSPHBond : public Fix {
   static constexpr const char *ID = "TMSPH_BOND";
   /// UNBONDED: never was a bond, but the two may be in contact
   enum State : unsigned char { INTACT = 0, BROKEN = 1, CUT = 2, UNBONDED = 3 };
+  /// sets of states: bonds that hold, all that ever were bonds, the whole family
+  static constexpr unsigned WHOLE = 1u << INTACT;
+  static constexpr unsigned FORMED = WHOLE | 1u << BROKEN | 1u << CUT;
+  static constexpr unsigned ALL = FORMED | 1u << UNBONDED;
+  /** Place k in the family of a local particle, local or ghost index of the partner, state. */
+  struct Bond {
+    int k, j;
+    State state;
+  };
+  class Family;
 
   FixTMSPHBond(class LAMMPS *, int, char **);
   ~FixTMSPHBond() override;
@@ -100,8 +110,11 @@ class FixTMSPHBond : public Fix {
   /// horizon with which they formed
   double reach() const { return horizon; }
   int count(int i) const { return npartner[i]; }
-  /// bonds of local particle i when they formed
-  int count_formed(int i) const;
+  /// for (const auto &bond : family(i, WHOLE)): partners at hand in one of these states, by ascending
+  /// ids
+  Family family(int i, unsigned states) const;
+  /// members of the family in these states, at hand or not
+  int count_in(int i, unsigned states) const;
   tagint partner_tag(int i, int k) const { return partner[i][k]; }
   State bond_state(int i, int k) const { return (State) state[i][k]; }
   /// id that local particle i had when the bonds formed; reset_atoms does not change it
@@ -210,6 +223,53 @@ class FixTMSPHBond : public Fix {
   void resize_partners(int);
   void keep_velocities();
 };
+
+/** Those of the family of a local particle that are at hand and in one of some states. */
+class FixTMSPHBond::Family {
+ public:
+  Family(const FixTMSPHBond *bonds, int i, unsigned states) : bonds(bonds), i(i), states(states) {}
+
+  class iterator {
+   public:
+    iterator(const Family *family, int k) : family(family), k(k) { skip(); }
+    Bond operator*() const
+    {
+      return {k, family->bonds->partner_index(family->i, k),
+              family->bonds->bond_state(family->i, k)};
+    }
+    iterator &operator++()
+    {
+      k++;
+      skip();
+      return *this;
+    }
+    bool operator!=(const iterator &other) const { return k != other.k; }
+
+   private:
+    const Family *family;
+    int k;
+    void skip()
+    {
+      const FixTMSPHBond *const bonds = family->bonds;
+      const int i = family->i, n = bonds->count(i);
+      while (k < n && (!(family->states >> bonds->bond_state(i, k) & 1u) ||
+                       bonds->partner_index(i, k) == i))
+        k++;
+    }
+  };
+  iterator begin() const { return {this, 0}; }
+  iterator end() const { return {this, bonds->count(i)}; }
+
+ private:
+  const FixTMSPHBond *bonds;
+  int i;
+  unsigned states;
+};
+
+inline FixTMSPHBond::Family FixTMSPHBond::family(int i, unsigned states) const
+{
+  return {this, i, states};
+}
 
 }    // namespace LAMMPS_NS
 

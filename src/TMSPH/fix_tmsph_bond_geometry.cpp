@@ -81,10 +81,8 @@ double FixTMSPHBond::spacing(int i) const
 double FixTMSPHBond::nearest_square(int i) const
 {
   double square = HUGE_VAL, X[3];
-  for (int k = 0; k < npartner[i]; k++) {
-    const int j = partner_index(i, k);
-    if (j == i || state[i][k] == UNBONDED) continue;
-    reference_vector(i, j, X);
+  for (const auto &bond : family(i, FORMED)) {
+    reference_vector(i, bond.j, X);
     const double across = domain->dimension == 3 ? X[2] * X[2] : 0.0;
     square = std::min(square, X[0] * X[0] + X[1] * X[1] + across);
   }
@@ -122,9 +120,8 @@ double FixTMSPHBond::largest_kappa() const
   double mine = 0.0, all;
   for (int i = 0; i < atom->nlocal; i++) {
     double trace = 0.0, X[3];
-    for (int k = 0; k < npartner[i]; k++) {
-      if (state[i][k] == UNBONDED) continue;
-      const int j = partner_index(i, k);
+    for (const auto &bond : family(i, FORMED)) {
+      const int j = bond.j;
       reference_vector(i, j, X);
       for (int c = 0; c < dimension; c++) trace += weight(i, j) * X[c] * X[c];
     }

@@ -207,9 +207,7 @@ void FixTMSPHBreak::find_due(const double *stress)
   if (!any) return;
 
   for (int i = 0; i < nlocal; i++) {
-    for (int k = 0; k < bonds->count(i); k++) {
-      if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
-      const int j = bonds->partner_index(i, k);
+    for (const auto &[k, j, state] : bonds->family(i, FixTMSPHBond::WHOLE)) {
       const bool same = one_rock || criterion->alike(type[i], type[j]);
       if (same && !beyond[i] && !beyond[j]) continue;
 

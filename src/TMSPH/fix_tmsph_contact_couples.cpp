@@ -59,9 +59,8 @@ void FixTMSPHContact::find_bearers()
   bearers.clear();
   for (int i = 0; i < atom->nlocal; i++) {
     bool bears = rows[i] != 0.0;
-    for (int k = 0; k < bonds->count(i) && !bears; k++)
-      bears = rows[bonds->partner_index(i, k)] != 0.0 &&
-          bonds->bond_state(i, k) == FixTMSPHBond::INTACT;
+    for (const auto &bond : bonds->family(i, FixTMSPHBond::WHOLE))
+      bears = bears || rows[bond.j] != 0.0;
     if (bears) bearers.push_back(i);
   }
 }

@@ -68,13 +68,11 @@ void FixTMSPHContact::find_outlines()
     if (!(atom->mask[i] & groupbit)) continue;
     OutlineSegments outline;
     std::vector<int> ends;
-    for (int k = 0; k < bonds->count(i); k++) {
-      const int j = bonds->partner_index(i, k);
-      if (bonds->bond_state(i, k) == FixTMSPHBond::UNBONDED || j == i) continue;
+    for (const auto &bond : bonds->family(i, FixTMSPHBond::FORMED)) {
       double X[3];
-      bonds->reference_vector(i, j, X);
+      bonds->reference_vector(i, bond.j, X);
       outline.add(X);
-      ends.push_back(j);
+      ends.push_back(bond.j);
     }
     int found = 0;
     for (int n = 0; n < (int) ends.size() && found < 2; n++) {
@@ -106,9 +104,9 @@ void FixTMSPHContact::measure()
   for (const int i : s.outline) {
     if (i >= atom->nlocal) continue;
     double nearest = HUGE_VAL;
-    for (int k = 0; k < bonds->count(i); k++) {
-      const int j = bonds->partner_index(i, k);
-      if (j == i || !is_slave(atom->type[i], atom->type[j])) continue;
+    for (const auto &bond : bonds->family(i, FixTMSPHBond::ALL)) {
+      const int j = bond.j;
+      if (!is_slave(atom->type[i], atom->type[j])) continue;
       for (const tagint id : s.next[j]) {
         const int end = id ? domain->closest_image(j, atom->map(id)) : -1;
         if (end < 0) continue;

@@ -253,9 +253,7 @@ template <int D> void FixTMSPHContact::fit_pairs()
 
   for (const Member &m : members) {
     Moments<D> marks[2];
-    for (int k = 0; k < bonds->count(m.i); k++) {
-      const int state = bonds->bond_state(m.i, k), j = bonds->partner_index(m.i, k);
-      if (!counts(state) || j == m.i) continue;
+    for (const auto &[k, j, state] : bonds->family(m.i, states())) {
       double X[3], middle[D], R2 = 0.0;
       bonds->reference_vector(m.i, j, X);
       for (int a = 0; a < D; a++) {
@@ -286,12 +284,10 @@ template <int D> void FixTMSPHContact::fit_pairs()
       };
       const double here[3] = {0.0, 0.0, 0.0};
       add(i, here);
-      for (int k = 0; k < bonds->count(i); k++) {
-        const int j = bonds->partner_index(i, k);
+      for (const auto &bond : bonds->family(i, FixTMSPHBond::ALL)) {
         double X[3];
-        if (j == i) continue;
-        bonds->reference_vector(i, j, X);
-        add(j, X);
+        bonds->reference_vector(i, bond.j, X);
+        add(bond.j, X);
       }
       std::copy_n(sum[0].m, SIZE, around.data() + n * width);
       std::copy_n(sum[1].m, SIZE, around.data() + n * width + SIZE);

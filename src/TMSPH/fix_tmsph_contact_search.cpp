@@ -113,12 +113,10 @@ template <int D> void FixTMSPHContact::find_surfaces()
     surfaces[i] = given_surface(i);
     if (surfaces[i].exposure == Exposure::GIVEN) continue;
     OwnSurface<D> own;
-    for (int k = 0; k < bonds->count(i); k++) {
-      const int j = bonds->partner_index(i, k);
-      if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT || j == i) continue;
+    for (const auto &bond : bonds->family(i, FixTMSPHBond::WHOLE)) {
       double X[3];
-      bonds->reference_vector(i, j, X);
-      own.add(X, bonds->weight(i, j));
+      bonds->reference_vector(i, bond.j, X);
+      own.add(X, bonds->weight(i, bond.j));
     }
     surfaces[i] = own.find(bonds->spacing(i));
   }

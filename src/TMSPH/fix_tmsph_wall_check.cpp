@@ -69,9 +69,9 @@ double FixTMSPHWall::depth_in_body(bigint &bonds_cut) const
     const Point here = position_of(i), from = motion.to_body(here);
     const double distance = shape->distance(from);
     if (distance > horizon) continue;
-    for (int k = 0; k < bonds->count(i); k++) {
-      const int j = bonds->partner_index(i, k);
-      if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT || !(atom->mask[j] & groupbit)) continue;
+    for (const auto &bond : bonds->family(i, FixTMSPHBond::WHOLE)) {
+      const int j = bond.j;
+      if (!(atom->mask[j] & groupbit)) continue;
       Point there = here;
       for (int a = 0; a < domain->dimension; a++) there[a] += atom->x[j][a] - atom->x[i][a];
       const Point to = motion.to_body(there);

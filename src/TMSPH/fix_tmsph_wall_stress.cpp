@@ -30,9 +30,8 @@ double FixTMSPHWall::half_row(int i, const Point &normal) const
   const FixTMSPHBond &bonds = *pair->bonds();
   const double spacing = bonds.spacing(i);
   double next = spacing;
-  for (int k = 0; k < bonds.count(i); k++) {
-    if (bonds.bond_state(i, k) != FixTMSPHBond::INTACT) continue;
-    const double *x = atom->x[bonds.partner_index(i, k)];
+  for (const auto &bond : bonds.family(i, FixTMSPHBond::WHOLE)) {
+    const double *x = atom->x[bond.j];
     double height = 0.0;
     for (int a = 0; a < 3; a++) height += normal[a] * (x[a] - atom->x[i][a]);
     if (height > ROW * spacing) next = std::min(next, height);

@@ -53,13 +53,10 @@ template <int D> void PairTMSPH::lay_out_coupling()
   for (int i = 0; i < atom->nlocal; i++) {
     Crossing one;
     one.i = i;
-    for (int k = 0; k < bond_fix->count(i); k++) {
-      const int j = bond_fix->partner_index(i, k);
-      if (bond_fix->bond_state(i, k) == FixTMSPHBond::UNBONDED || j == i ||
-          !coupled(atom->type[i], atom->type[j]))
-        continue;
-      all.weight[all.at(i / WIDTH, i % WIDTH, k)] = 0.0f;
-      one.bonds.push_back({k, j, 0.0, {}});
+    for (const auto &bond : bond_fix->family(i, FixTMSPHBond::FORMED)) {
+      if (!coupled(atom->type[i], atom->type[bond.j])) continue;
+      all.weight[all.at(i / WIDTH, i % WIDTH, bond.k)] = 0.0f;
+      one.bonds.push_back({bond.k, bond.j, 0.0, {}});
     }
     if (!one.bonds.empty()) crossing.push_back(std::move(one));
   }
@@ -74,13 +71,11 @@ template <int D> void PairTMSPH::update_crossing(Crossing &one)
 {
   const int i = one.i, type = atom->type[i];
   double own = bond_fix->kernel_mass(i, i, cutoff), all = own;
-  for (int k = 0; k < bond_fix->count(i); k++) {
-    if (bond_fix->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
-    const int j = bond_fix->partner_index(i, k);
-    const double mass = bond_fix->kernel_mass(i, j, cutoff);
-    const bool same = same_material(type, atom->type[j]);
+  for (const auto &bond : bond_fix->family(i, FixTMSPHBond::WHOLE)) {
+    const double mass = bond_fix->kernel_mass(i, bond.j, cutoff);
+    const bool same = same_material(type, atom->type[bond.j]);
     if (same) own += mass;
-    if (same || coupled(type, atom->type[j])) all += mass;
+    if (same || coupled(type, atom->type[bond.j])) all += mass;
   }
   one.depth = std::max(interface_depth(own / all), LEAST_DEPTH * bond_fix->spacing(i));
   for (auto &bond : one.bonds)

@@ -87,14 +87,10 @@ void PairTMSPH::lay_out_averaging()
     for (int l = 0; l < all.valid[q]; l++) {
       const int i = all.particle[q * WIDTH + l];
       if (!averaged(atom->type[i])) continue;
-      for (int k = 0; k < bond_fix->count(i); k++) {
-        const size_t at = all.at(q, l, k);
-        const int j = all.partner[at];
-        if (all.weight[at] == 0.0f || !same_material(atom->type[i], atom->type[j]))
-          continue;
-        all.averaging[at] =
-            (float) (atom->vfrac[i] / kappa * bond_fix->kernel_mass(i, j, cutoff));
-      }
+      for (const auto &bond : bond_fix->family(i, FixTMSPHBond::WHOLE))
+        if (same_material(atom->type[i], atom->type[bond.j]))
+          all.averaging[all.at(q, l, bond.k)] =
+              (float) (atom->vfrac[i] / kappa * bond_fix->kernel_mass(i, bond.j, cutoff));
     }
 }
 

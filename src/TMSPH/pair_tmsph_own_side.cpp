@@ -34,9 +34,8 @@ template <int D> void PairTMSPH::build_own_side()
   std::vector<int> members;
   for (int i = 0; i < nlocal; i++) {
     bool mixed = false;
-    for (int k = 0; k < bond_fix->count(i) && !mixed; k++)
-      mixed = type[bond_fix->partner_index(i, k)] != type[i] &&
-          bond_fix->bond_state(i, k) != FixTMSPHBond::UNBONDED;
+    for (const auto &bond : bond_fix->family(i, FixTMSPHBond::FORMED))
+      mixed = mixed || type[bond.j] != type[i];
     if (mixed) members.push_back(i);
   }
   for (size_t first = 0; first < members.size(); first += WIDTH) {

@@ -206,7 +206,7 @@ void PairTMSPH::report()
   // intact, but on one line or in one plane
   bigint flat = 0, all_flat;
   for (int i = 0; i < atom->nlocal; i++)
-    flat += bond_fix->count_formed(i) >= domain->dimension &&
+    flat += bond_fix->count_in(i, FixTMSPHBond::FORMED) >= domain->dimension &&
         *(domain->dimension == 2 ? own_constants<2>(i) : own_constants<3>(i)) == 0.0;
   MPI_Allreduce(&flat, &all_flat, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   double bytes = memory_usage() + bond_fix->memory_usage(), all_bytes;

@@ -29,8 +29,8 @@ void PairTMSPH::stop_inverted(int i)
     return std::isfinite(x[0] + x[1] + x[2]);
   };
   int culprit = finite(i) ? -1 : i;
-  for (int k = 0; k < bond_fix->count(i) && culprit < 0; k++)
-    if (!finite(bond_fix->partner_index(i, k))) culprit = bond_fix->partner_index(i, k);
+  for (const auto &bond : bond_fix->family(i, FixTMSPHBond::ALL))
+    if (culprit < 0 && !finite(bond.j)) culprit = bond.j;
   if (culprit >= 0)
     error->one(FLERR,
                "The position of particle {} is not a number on step {}: check its velocity and "

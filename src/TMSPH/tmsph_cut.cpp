@@ -46,9 +46,7 @@ void TMSPHCut::command(int narg, char **arg)
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    for (int k = 0; k < bonds->count(i); k++) {
-      if (bonds->bond_state(i, k) != FixTMSPHBond::INTACT) continue;
-      const int j = bonds->partner_index(i, k);
+    for (const auto &[k, j, state] : bonds->family(i, FixTMSPHBond::WHOLE)) {
       if (!(atom->mask[j] & groupbit)) continue;
       const bool upward = atom->tag[i] < atom->tag[j];    // both ends decide alike
       const int low = upward ? i : j, high = upward ? j : i;

@@ -28,10 +28,8 @@ void TMSPHDebris::measure(const FixTMSPHBond &bonds)
   spacing.assign((size_t) nlocal + atom->nghost, 0.0);
   for (int i = 0; i < nlocal; i++) {
     double X[3];
-    for (int k = 0; k < bonds.count(i); k++) {
-      const int j = bonds.partner_index(i, k);
-      if (j == i) continue;
-      bonds.reference_vector(i, j, X);
+    for (const auto &bond : bonds.family(i, FixTMSPHBond::ALL)) {
+      bonds.reference_vector(i, bond.j, X);
       if (spacing[i] == 0.0 || length(X) < spacing[i]) spacing[i] = length(X);
     }
   }
