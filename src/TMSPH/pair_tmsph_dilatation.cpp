@@ -30,7 +30,9 @@ static constexpr double MAX_PLAIN = 0.45, MAX_AVERAGED = 0.4999, MAX_COUPLED = 0
 
 bool PairTMSPH::averaged(int type) const
 {
-  if (dilatation == Dilatation::PLAIN || on.law != Law::SVK || plane == Plane::STRESS) return false;
+  if (dilatation == Dilatation::PLAIN || plane == Plane::STRESS ||
+      !std::holds_alternative<StVenantKirchhoff>(on.law))
+    return false;
   return dilatation == Dilatation::AVERAGED || materials[type].poisson > AVERAGED_ABOVE;
 }
 

@@ -112,7 +112,7 @@ void PairTMSPH::settings(int narg, char **arg)
   kernel = WendlandC2();
   plane = Plane::STRAIN;
   thermal_mode = ThermalStrain::BOND;
-  on.law = Law::SVK;
+  on.law = StVenantKirchhoff();
   hourglass = 0.1;
   dilatation = Dilatation::AUTO;
   viscosity = Viscosity();
@@ -136,7 +136,7 @@ void PairTMSPH::settings(int narg, char **arg)
           one_of<Plane>(error, "plane", value,
                         {{"strain", Plane::STRAIN}, {"stress", Plane::STRESS}});
     else if (word == "law")
-      on.law = one_of<Law>(error, "law", value, {{"svk", Law::SVK}, {"almansi", Law::ALMANSI}});
+      on.law = one_of<ElasticLaw>(error, "law", value, alternatives<ElasticLaw>());
     else if (word == "thermal")
       thermal_mode = one_of<ThermalStrain>(
           error, "thermal", value,
@@ -319,7 +319,7 @@ std::string PairTMSPH::features() const
   std::string text = domain->dimension == 3 ? "3-D"
       : plane == Plane::STRAIN              ? "plane strain"
                                             : "plane stress";
-  text += on.law == Law::SVK ? ", St Venant-Kirchhoff" : ", Almansi";
+  text += std::visit([](auto law) { return fmt::format(", {}", law.TITLE); }, on.law);
   if (on.thermal == ThermalStrain::BOND) text += ", thermal bonds";
   if (on.thermal == ThermalStrain::CONSTITUTIVE) text += ", thermal strain";
   if (averaging) text += ", averaged dilatation";
@@ -381,7 +381,7 @@ void PairTMSPH::write_restart_settings(FILE *fp)
   const double list[8] = {cutoff,           (double) kernel.index(), (double) plane,
                           (double) thermal_mode, hourglass,   viscosity.alpha1,
                           viscosity.alpha2, (double) dilatation};
-  const int format_and_law[2] = {RESTART_FORMAT, (int) on.law};
+  const int format_and_law[2] = {RESTART_FORMAT, (int) on.law.index()};
   fwrite(format_and_law, sizeof(int), 2, fp);
   fwrite(list, sizeof(double), 8, fp);
 }
@@ -407,7 +407,7 @@ void PairTMSPH::read_restart_settings(FILE *fp)
   viscosity.alpha1 = list[5];
   viscosity.alpha2 = list[6];
   dilatation = (Dilatation) (int) list[7];
-  on.law = (Law) format_and_law[1];
+  on.law = alternatives<ElasticLaw>().at(format_and_law[1]).second;
 }
 
 /* ---------------------------------------------------------------------- */

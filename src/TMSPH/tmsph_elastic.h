@@ -1,8 +1,8 @@
 /* -*- c++ -*- ----------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   Elastic laws: from the displacement gradient H = F - I to stress and energy.
-   Templates on the dimension and on the scalar (double, or eight lanes).
+   Elastic constants, strains and what laws of elasticity are made of. Templates
+   on the dimension and on the scalar (double, or eight lanes).
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_TMSPH_ELASTIC_H
@@ -10,7 +10,6 @@
 
 namespace TMSPH {
 
-enum class Law { SVK, ALMANSI };
 enum class Plane { STRAIN, STRESS };
 
 /** Constants of one isotropic material in the state the body is in.
@@ -110,6 +109,35 @@ template <class T> inline Matrix<3, T> cofactor(const Matrix<3, T> &A)
   return C;
 }
 
+/// cof(I + H) - I
+template <class T> inline Matrix<2, T> cofactor_change(const Matrix<2, T> &H)
+{
+  return cofactor(H);
+}
+
+template <class T> inline Matrix<3, T> cofactor_change(const Matrix<3, T> &H)
+{
+  Matrix<3, T> C = cofactor(H);
+  const T trace = H[0][0] + H[1][1] + H[2][2];
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) C[i][j] -= H[j][i];
+    C[i][i] += trace;
+  }
+  return C;
+}
+
+/// det(I + H) - 1
+template <class T> inline T volume_change(const Matrix<2, T> &H)
+{
+  return H[0][0] + H[1][1] + determinant(H);
+}
+
+template <class T> inline T volume_change(const Matrix<3, T> &H)
+{
+  const Matrix<3, T> C = cofactor(H);
+  return H[0][0] + H[1][1] + H[2][2] + (C[0][0] + C[1][1] + C[2][2]) + determinant(H);
+}
+
 /** Green-Lagrange strain E = (F^T F - I)/2 = (H + H^T + H^T H)/2, minus the thermal strain a I.
     From H, not F: no loss of digits at small strain. */
 template <int D, class T> inline Matrix<D, T> green_lagrange(const Matrix<D, T> &H, T thermal)
@@ -158,35 +186,6 @@ template <int D, class T> inline T hooke_energy(const Matrix<D, T> &e, T lambda,
     for (int j = 0; j < D; j++)
       if (i || j) contraction += e[i][j] * e[i][j];
   return 0.5 * lambda * trace * trace + shear * contraction;
-}
-
-/** First Piola-Kirchhoff stress.
-    SVK (St Venant-Kirchhoff, hyperelastic): P = F (lambda tr(E) I + 2 mu E).
-    ALMANSI (the law of Mu et al. 2022, not hyperelastic): P = J sigma F^-T.
-    @param thermal thermal strain a to be taken off the strain (0 with the thermal bond) */
-template <Law LAW, int D, class T>
-inline Matrix<D, T> first_piola(const Matrix<D, T> &H, T lambda, T shear, T thermal)
-{
-  const Matrix<D, T> F = deformation(H);
-  if constexpr (LAW == Law::SVK)
-    return product(F, hooke(green_lagrange(H, thermal), lambda, shear));
-  else {
-    const T J = determinant(F);
-    return product(hooke(almansi(F, J, thermal), lambda, shear), cofactor(F));
-  }
-}
-
-/// Strain energy per reference volume; for ALMANSI, which has no potential, J times Hooke's energy.
-template <Law LAW, int D, class T>
-inline T strain_energy(const Matrix<D, T> &H, T lambda, T shear, T thermal)
-{
-  if constexpr (LAW == Law::SVK)
-    return hooke_energy(green_lagrange(H, thermal), lambda, shear);
-  else {
-    const Matrix<D, T> F = deformation(H);
-    const T J = determinant(F);
-    return J * hooke_energy(almansi(F, J, thermal), lambda, shear);
-  }
 }
 
 /// Cauchy stress P F^T / J

@@ -15,12 +15,8 @@
 #ifndef LMP_TMSPH_KERNEL_H
 #define LMP_TMSPH_KERNEL_H
 
+#include "tmsph_alternatives.h"
 #include "tmsph_pi.h"
-
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace TMSPH {
 
@@ -87,15 +83,9 @@ struct QuinticSpline {
 using Kernel = std::variant<WendlandC2, CubicSpline, QuinticSpline>;
 
 /// All kernels by their names, in the order of Kernel.
-template <std::size_t... N>
-inline std::vector<std::pair<std::string, Kernel>> kernels(std::index_sequence<N...>)
-{
-  return {{std::variant_alternative_t<N, Kernel>::NAME, Kernel(std::in_place_index<N>)}...};
-}
-
 inline std::vector<std::pair<std::string, Kernel>> kernels()
 {
-  return kernels(std::make_index_sequence<std::variant_size_v<Kernel>>());
+  return alternatives<Kernel>();
 }
 
 /// Support radius in smoothing lengths h.

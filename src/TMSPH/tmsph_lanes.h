@@ -63,6 +63,18 @@ TMSPH_INLINE double square_root(double a)
   return std::sqrt(a);
 }
 
+TMSPH_INLINE Lanes log_of_one_plus(Lanes a)
+{
+  Lanes r = a;
+  for (int l = 0; l < WIDTH; l++) r[l] = std::log1p(a[l]);
+  return r;
+}
+
+TMSPH_INLINE double log_of_one_plus(double a)
+{
+  return std::log1p(a);
+}
+
 TMSPH_INLINE Lanes minimum(Lanes a, Lanes b)
 {
   return a < b ? a : b;

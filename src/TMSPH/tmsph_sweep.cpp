@@ -120,7 +120,7 @@ TMSPH_INLINE void store_stress(const Matrix<D, Lanes> &sigma, const int *particl
     for (int k = 0; k < N; k++) stress[(size_t) particle[l] * N + k] = s[k][l];
 }
 
-template <int D, Law LAW, ThermalStrain THERMAL>
+template <int D, class Law, ThermalStrain THERMAL>
 void gradient(const Slices &bonds, int first, int last, const double *kinematic,
               const GradientOutput &out)
 {
@@ -135,7 +135,7 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
         : fitted_gradient<D, HEATED>(bonds, q, own, kinematic);
     const Lanes thermal =
         THERMAL == ThermalStrain::CONSTITUTIVE ? own.thermal_strain() : broadcast(0.0);
-    const Matrix<D, Lanes> P = first_piola<LAW>(H, own.lambda(), own.shear(), thermal);
+    const Matrix<D, Lanes> P = Law::first_piola(H, own.lambda(), own.shear(), thermal);
     if (out.inverted) {
       const Lanes J = determinant(deformation(H));
       const auto fine = out.inverted_breaks ? J == J : J > 0.0;    // both are false for NaN
@@ -272,7 +272,7 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
   }
 }
 
-template <int D, Law LAW, ThermalStrain MODE>
+template <int D, class Law, ThermalStrain MODE>
 double energies(const Slices &bonds, const double *kinematic, double *energy)
 {
   double sum = 0.0;
@@ -294,7 +294,7 @@ double energies(const Slices &bonds, const double *kinematic, double *energy)
       }
       penalty += load(bonds.weight.data() + at) * sum;
     }
-    const Lanes total = own.volume() * strain_energy<LAW>(H, own.lambda(), own.shear(), thermal) +
+    const Lanes total = own.volume() * Law::energy(H, own.lambda(), own.shear(), thermal) +
         0.5 * own.chi() * penalty;
     for (int l = 0; l < bonds.valid[q]; l++) {
       sum += total[l];
@@ -307,22 +307,20 @@ double energies(const Slices &bonds, const double *kinematic, double *energy)
 /// Calls fn with the scene's law and thermal mode as compile-time constants.
 template <class FN> void with_law(const Features &on, FN fn)
 {
-  const auto with_mode = [&](auto law) {
-    switch (on.thermal) {
-      case ThermalStrain::NONE:
-        fn(law, std::integral_constant<ThermalStrain, ThermalStrain::NONE>());
-        break;
-      case ThermalStrain::BOND:
-        fn(law, std::integral_constant<ThermalStrain, ThermalStrain::BOND>());
-        break;
-      default:
-        fn(law, std::integral_constant<ThermalStrain, ThermalStrain::CONSTITUTIVE>());
-    }
-  };
-  if (on.law == Law::SVK)
-    with_mode(std::integral_constant<Law, Law::SVK>());
-  else
-    with_mode(std::integral_constant<Law, Law::ALMANSI>());
+  std::visit(
+      [&](auto law) {
+        switch (on.thermal) {
+          case ThermalStrain::NONE:
+            fn(law, std::integral_constant<ThermalStrain, ThermalStrain::NONE>());
+            break;
+          case ThermalStrain::BOND:
+            fn(law, std::integral_constant<ThermalStrain, ThermalStrain::BOND>());
+            break;
+          case ThermalStrain::CONSTITUTIVE:
+            fn(law, std::integral_constant<ThermalStrain, ThermalStrain::CONSTITUTIVE>());
+        }
+      },
+      on.law);
 }
 
 template <class FN> void with_bool(bool value, FN fn)
@@ -350,7 +348,7 @@ void gradient_sweep(const Features &on, const Slices &bonds, int first_slice, in
                     const double *kinematic, const GradientOutput &out)
 {
   with_law(on, [&](auto law, auto thermal) {
-    gradient<D, law(), thermal()>(bonds, first_slice, last_slice, kinematic, out);
+    gradient<D, decltype(law), thermal()>(bonds, first_slice, last_slice, kinematic, out);
   });
 }
 
@@ -390,7 +388,7 @@ double energy_sweep(const Features &on, const Slices &bonds, const double *kinem
 {
   double sum = 0.0;
   with_law(on, [&](auto law, auto thermal) {
-    sum = energies<D, law(), thermal()>(bonds, kinematic, energy);
+    sum = energies<D, decltype(law), thermal()>(bonds, kinematic, energy);
   });
   return sum;
 }

@@ -25,7 +25,7 @@
 #ifndef LMP_TMSPH_SWEEP_H
 #define LMP_TMSPH_SWEEP_H
 
-#include "tmsph_elastic.h"
+#include "tmsph_elastic_law.h"
 #include "tmsph_lanes.h"
 
 #include <vector>
@@ -36,7 +36,7 @@ enum class ThermalStrain { NONE, BOND, CONSTITUTIVE };
 
 /** What a scene uses; each combination is compiled on its own. */
 struct Features {
-  Law law = Law::SVK;
+  ElasticLaw law;
   ThermalStrain thermal = ThermalStrain::NONE;
   bool hourglass = false;
   bool viscosity = false;

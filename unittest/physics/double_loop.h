@@ -68,16 +68,27 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
     const double mu = p[i].material.shear;
     const Square<D> green = 0.5 * (F.transpose() * F - one);
     Square<D> e, P;
-    if (on.law == TMSPH::Law::SVK) {
-      e = green - a * one;
-      P = F * (lambda * e.trace() * one + 2.0 * mu * e);
+    double scale = 1.0, density;
+    const auto hooke = [&]() { return lambda * e.trace() * one + 2.0 * mu * e; };
+    if (std::holds_alternative<TMSPH::NeoHookean>(on.law)) {
+      const Square<D> elastic = F / (1.0 + a), T = elastic.transpose().inverse();
+      const double volume = elastic.determinant();
+      P = (mu * (elastic - T) + 0.5 * lambda * (volume * volume - 1.0) * T) / (1.0 + a);
+      density = 0.5 * mu * ((elastic.transpose() * elastic).trace() - D) -
+          mu * std::log(volume) + 0.25 * lambda * (volume * volume - 1.0 - 2.0 * std::log(volume));
     } else {
-      e = F.transpose().inverse() * green * F.inverse() - a * one;
-      P = J * (lambda * e.trace() * one + 2.0 * mu * e) * F.transpose().inverse();
+      if (std::holds_alternative<TMSPH::StVenantKirchhoff>(on.law)) {
+        e = green - a * one;
+        P = F * hooke();
+      } else {
+        e = F.transpose().inverse() * green * F.inverse() - a * one;
+        P = J * hooke() * F.transpose().inverse();
+        scale = J;
+      }
+      density = scale *
+          (0.5 * lambda * e.trace() * e.trace() + mu * (e.transpose() * e).trace());
     }
-    const double scale = on.law == TMSPH::Law::SVK ? 1.0 : J;
-    double energy = V * scale *
-        (0.5 * lambda * e.trace() * e.trace() + mu * (e.transpose() * e).trace());
+    double energy = V * density;
     for (int j = 0; j < n; j++)
       if (j != i)
         energy += 0.5 * chi(i) * body.W(i, j) * (y(i, j) - F * (p[j].X - p[i].X)).squaredNorm();

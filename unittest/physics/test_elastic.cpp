@@ -57,13 +57,13 @@ template <class Dimension> class Elasticity : public ::testing::Test {
   const Elastic m = elastic_constants(D, Plane::STRAIN, YOUNG, 0.3, 0.0);
   const Square<D> one = Square<D>::Identity();
 
-  template <Law LAW> Square<D> first_piola_of(const Square<D> &H, double thermal) const
+  template <class Law> Square<D> first_piola_of(const Square<D> &H, double thermal) const
   {
-    return eigen<D>(first_piola<LAW>(plain<D>(H), m.lambda, m.shear, thermal));
+    return eigen<D>(Law::first_piola(plain<D>(H), m.lambda, m.shear, thermal));
   }
-  template <Law LAW> Square<D> cauchy_of(const Square<D> &H, double thermal = 0.0) const
+  template <class Law> Square<D> cauchy_of(const Square<D> &H, double thermal = 0.0) const
   {
-    return eigen<D>(cauchy(first_piola<LAW>(plain<D>(H), m.lambda, m.shear, thermal),
+    return eigen<D>(cauchy(Law::first_piola(plain<D>(H), m.lambda, m.shear, thermal),
                            deformation(plain<D>(H))));
   }
   Square<D> hooke_of(const Square<D> &e) const
@@ -80,19 +80,24 @@ TYPED_TEST(Elasticity, stress_is_the_gradient_of_the_energy)
 {
   constexpr int D = TestFixture::D;
   const double step = 1.0e-4;
+  const auto check = [&](auto law, const Square<D> &H, double thermal, double accuracy) {
+    using Law = decltype(law);
+    const Square<D> P = this->template first_piola_of<Law>(H, thermal);
+    for (int e = 0; e < D * D; e++) {
+      Square<D> shift = Square<D>::Zero();
+      shift(e / D, e % D) = step;
+      const auto energy = [&](const Square<D> &A) {
+        return Law::energy(plain<D>(A), this->m.lambda, this->m.shear, thermal);
+      };
+      const double slope = (energy(H + shift) - energy(H - shift)) / (2.0 * step);
+      EXPECT_NEAR(P(e / D, e % D), slope, accuracy * step * step * this->m.wave_modulus);
+    }
+  };
   for (double thermal : {0.0, 0.02, -0.01})
     for (int k = 0; k < 20; k++) {
       const Square<D> H = random_matrix<D>(this->engine, 0.1);
-      const Square<D> P = this->template first_piola_of<Law::SVK>(H, thermal);
-      for (int e = 0; e < D * D; e++) {
-        Square<D> shift = Square<D>::Zero();
-        shift(e / D, e % D) = step;
-        const auto energy = [&](const Square<D> &A) {
-          return strain_energy<Law::SVK>(plain<D>(A), this->m.lambda, this->m.shear, thermal);
-        };
-        const double slope = (energy(H + shift) - energy(H - shift)) / (2.0 * step);
-        EXPECT_NEAR(P(e / D, e % D), slope, 5.0 * step * step * this->m.wave_modulus);
-      }
+      check(StVenantKirchhoff(), H, thermal, 5.0);
+      check(NeoHookean(), H, thermal, 50.0);    // J may fall to 1/2: third derivatives up to 2 mu/J^3
     }
 }
 
@@ -102,8 +107,9 @@ TYPED_TEST(Elasticity, rotation_gives_no_stress)
   constexpr int D = TestFixture::D;
   for (int degrees = -180; degrees <= 180; degrees += 5) {
     const Square<D> H = rotation<D>(this->engine, degrees * M_PI / 180.0) - this->one;
-    EXPECT_LT(this->template cauchy_of<Law::SVK>(H).norm(), 1.0e-12 * YOUNG) << degrees;
-    EXPECT_LT(this->template cauchy_of<Law::ALMANSI>(H).norm(), 1.0e-12 * YOUNG) << degrees;
+    EXPECT_LT(this->template cauchy_of<StVenantKirchhoff>(H).norm(), 1.0e-12 * YOUNG) << degrees;
+    EXPECT_LT(this->template cauchy_of<AlmansiHooke>(H).norm(), 1.0e-12 * YOUNG) << degrees;
+    EXPECT_LT(this->template cauchy_of<NeoHookean>(H).norm(), 1.0e-12 * YOUNG) << degrees;
   }
 }
 
@@ -118,10 +124,12 @@ TYPED_TEST(Elasticity, objective)
     const auto check = [&](const Square<D> &after, const Square<D> &before) {
       EXPECT_LT((after - Q * before * Q.transpose()).norm(), 1.0e-12 * YOUNG);
     };
-    check(this->template cauchy_of<Law::SVK>(turned, 0.01),
-          this->template cauchy_of<Law::SVK>(H, 0.01));
-    check(this->template cauchy_of<Law::ALMANSI>(turned, 0.01),
-          this->template cauchy_of<Law::ALMANSI>(H, 0.01));
+    check(this->template cauchy_of<StVenantKirchhoff>(turned, 0.01),
+          this->template cauchy_of<StVenantKirchhoff>(H, 0.01));
+    check(this->template cauchy_of<AlmansiHooke>(turned, 0.01),
+          this->template cauchy_of<AlmansiHooke>(H, 0.01));
+    check(this->template cauchy_of<NeoHookean>(turned, 0.01),
+          this->template cauchy_of<NeoHookean>(H, 0.01));
   }
 }
 
@@ -139,8 +147,9 @@ TYPED_TEST(Elasticity, small_strain_is_hooke)
     const auto check = [&](auto stress) {
       EXPECT_NEAR(difference(1.0e-4, stress) / difference(1.0e-5, stress), 100.0, 1.0);
     };
-    check([&](const Square<D> &A) { return this->template cauchy_of<Law::SVK>(A); });
-    check([&](const Square<D> &A) { return this->template cauchy_of<Law::ALMANSI>(A); });
+    check([&](const Square<D> &A) { return this->template cauchy_of<StVenantKirchhoff>(A); });
+    check([&](const Square<D> &A) { return this->template cauchy_of<AlmansiHooke>(A); });
+    check([&](const Square<D> &A) { return this->template cauchy_of<NeoHookean>(A); });
   }
 }
 
@@ -153,7 +162,41 @@ TYPED_TEST(Elasticity, no_cancellation_at_small_strain)
   H(0, 0) = strain;
   const double exact = (this->m.lambda + 2.0 * this->m.shear) * (strain + 0.5 * strain * strain) *
       (1.0 + strain);
-  EXPECT_NEAR(this->template first_piola_of<Law::SVK>(H, 0.0)(0, 0) / exact, 1.0, 1.0e-14);
+  EXPECT_NEAR(this->template first_piola_of<StVenantKirchhoff>(H, 0.0)(0, 0) / exact, 1.0, 1.0e-14);
+  // mu (F - 1/F) + lambda/2 (F^2 - 1)/F with F = 1 + strain, to the second order
+  const double neo = 2.0 * this->m.shear * (strain - 0.5 * strain * strain) +
+      this->m.lambda * (strain - 0.5 * strain * strain);
+  EXPECT_NEAR(this->template first_piola_of<NeoHookean>(H, 0.0)(0, 0) / neo, 1.0, 1.0e-14);
+}
+
+TYPED_TEST(Elasticity, neo_hookean_is_its_definition)
+{
+  constexpr int D = TestFixture::D;
+  for (int k = 0; k < 50; k++) {
+    const double thermal = 0.001 * k, lambda = this->m.lambda, shear = this->m.shear;
+    const Square<D> H = random_matrix<D>(this->engine, 0.1), F = (this->one + H) / (1.0 + thermal);
+    const Square<D> T = F.transpose().inverse();
+    const double J = F.determinant();
+    const Square<D> P = (shear * (F - T) + 0.5 * lambda * (J * J - 1.0) * T) / (1.0 + thermal);
+    EXPECT_LT((this->template first_piola_of<NeoHookean>(H, thermal) - P).norm(), 1e-14 * 10 * YOUNG);
+    const double energy = 0.5 * shear * ((F.transpose() * F).trace() - D) - shear * std::log(J) +
+        0.25 * lambda * (J * J - 1.0 - 2.0 * std::log(J));
+    EXPECT_NEAR(NeoHookean::energy(plain<D>(H), lambda, shear, thermal), energy, 1e-14 * 10 * YOUNG);
+  }
+}
+
+// crushed to nothing it pushes without bound, as the law of St Venant and Kirchhoff does not
+TYPED_TEST(Elasticity, neo_hookean_is_stiff_when_crushed)
+{
+  constexpr int D = TestFixture::D;
+  double last = 0.0;
+  for (double stretch : {0.5, 0.1, 0.01, 0.001}) {
+    Square<D> H = Square<D>::Zero();
+    H(0, 0) = stretch - 1.0;
+    const double push = -this->template first_piola_of<NeoHookean>(H, 0.0)(0, 0);
+    EXPECT_GT(push, 2.0 * last);
+    last = push;
+  }
 }
 
 TYPED_TEST(Elasticity, almansi_is_its_definition)
@@ -167,9 +210,9 @@ TYPED_TEST(Elasticity, almansi_is_its_definition)
     const double J = F.determinant();
     EXPECT_LT((eigen<D>(almansi(plain<D>(F), J, thermal)) - e).norm(), 1.0e-14);    // round-off
     const Square<D> sigma = this->hooke_of(e);
-    EXPECT_LT((this->template cauchy_of<Law::ALMANSI>(H, thermal) - sigma).norm(),
+    EXPECT_LT((this->template cauchy_of<AlmansiHooke>(H, thermal) - sigma).norm(),
               1.0e-14 * 10.0 * YOUNG);
-    EXPECT_LT((this->template first_piola_of<Law::ALMANSI>(H, thermal) -
+    EXPECT_LT((this->template first_piola_of<AlmansiHooke>(H, thermal) -
                J * sigma * F.transpose().inverse()).norm(), 1.0e-14 * 10.0 * YOUNG);
   }
 }
@@ -191,15 +234,15 @@ TYPED_TEST(Elasticity, eight_lanes_equal_one)
     thermal[l] = 0.003 * l;
   }
   const auto check = [&](auto law) {
-    constexpr Law LAW = law();
-    const auto P = first_piola<LAW>(many, lambda, shear, thermal);
+    using Law = decltype(law);
+    const auto P = Law::first_piola(many, lambda, shear, thermal);
     const auto sigma = cauchy(P, deformation(many));
-    const auto energy = strain_energy<LAW>(many, lambda, shear, thermal);
+    const auto energy = Law::energy(many, lambda, shear, thermal);
     for (int l = 0; l < WIDTH; l++) {
       const double a = lambda[l], b = shear[l], t = thermal[l];
-      const auto alone = first_piola<LAW>(plain<D>(H[l]), a, b, t);
+      const auto alone = Law::first_piola(plain<D>(H[l]), a, b, t);
       const auto sigma_alone = cauchy(alone, deformation(plain<D>(H[l])));
-      EXPECT_NEAR(energy[l], (strain_energy<LAW>(plain<D>(H[l]), a, b, t)), 1.0e-15 * YOUNG);
+      EXPECT_NEAR(energy[l], (Law::energy(plain<D>(H[l]), a, b, t)), 1.0e-15 * YOUNG);
       for (int i = 0; i < D; i++)
         for (int j = 0; j < D; j++) {
           EXPECT_NEAR(P[i][j][l], alone[i][j], 1.0e-14 * YOUNG);
@@ -207,8 +250,9 @@ TYPED_TEST(Elasticity, eight_lanes_equal_one)
         }
     }
   };
-  check(std::integral_constant<Law, Law::SVK>());
-  check(std::integral_constant<Law, Law::ALMANSI>());
+  check(StVenantKirchhoff());
+  check(AlmansiHooke());
+  check(NeoHookean());
 }
 
 /* ----------------------------------------------------------------------

@@ -95,7 +95,9 @@ struct Scene {
       else if (word == "plane")
         plane = value == "stress" ? Plane::STRESS : Plane::STRAIN;
       else if (word == "law")
-        on.law = value == "almansi" ? Law::ALMANSI : Law::SVK;
+        for (const auto &each : alternatives<ElasticLaw>()) {
+          if (each.first == value) on.law = each.second;
+        }
       else if (word == "thermal")
         strain = value == "strain";
       else if (word == "hourglass")
@@ -111,7 +113,7 @@ struct Scene {
       } else
         ADD_FAILURE() << "unknown keyword " << word;
     }
-    if (on.law == Law::ALMANSI || plane == Plane::STRESS) dilatation = Dilatation::PLAIN;
+    if (!std::holds_alternative<StVenantKirchhoff>(on.law) || plane == Plane::STRESS) dilatation = Dilatation::PLAIN;
     on.thermal = strain ? ThermalStrain::CONSTITUTIVE : ThermalStrain::BOND;
     on.hourglass = hourglass > 0.0;
     viscosity.smoothing_length = horizon / support_in_smoothing_lengths(kernel);
