@@ -339,8 +339,7 @@ void FixTMSPHContact::set_stiffness(Pairing &pairing, double kappa, double ratio
 {
   const int low = pairing.low, high = pairing.high;
   const int *type = atom->type;
-  const Elastic &one = pair->material(type[low]).elastic;
-  const Elastic &other = pair->material(type[high]).elastic;
+  const Elastic &one = pair->elastic(low), &other = pair->elastic(high);
   const auto mean = [](double a, double b) { return 2.0 * a * b / (a + b); };
   const double modulus = mean(one.lambda + 2.0 * one.shear, other.lambda + 2.0 * other.shear);
   pairing.pair.shear_ratio = ratio * mean(one.shear, other.shear) / modulus;

@@ -128,12 +128,8 @@ void FixTMSPHContact::find_places(double dt)
       const Place &p = slave.place[n];
       const double spacing[2] = {bonds->spacing(i), (1.0 - p.along) * bonds->spacing(p.a) +
                                                           p.along * bonds->spacing(p.b)};
-      const int type[2] = {atom->type[i], atom->type[p.a]};
-      HalfCell cells[2];
-      for (int k = 0; k < 2; k++) {
-        const auto &m = pair->material(type[k]);
-        cells[k] = {m.young / (1.0 - m.poisson * m.poisson), spacing[k]};
-      }
+      const HalfCell cells[2] = {{plane_modulus(pair->elastic(i)), spacing[0]},
+                                 {plane_modulus(pair->elastic(p.a)), spacing[1]}};
       const double between = 0.5 * (spacing[0] + spacing[1]);
       const double layer = std::max(p.touching, THINNEST * between);
       const double k = law == ContactLaw::PAPER

@@ -53,7 +53,7 @@ void FixTMSPHContact::add_shares(std::vector<Share> &shares)
       for (double &one : reference) one /= std::sqrt(square);
       d == 2 ? carried_normal<2>(H, reference, n) : carried_normal<3>(H, reference, n);
       const double trace = s[0] + s[1] + s[2];
-      const double lateral = pair->lateral_ratio(atom->type[m.i]) * std::min(0.0, trace);
+      const double lateral = pair->lateral_ratio(m.i) * std::min(0.0, trace);
       for (int a = 0; a < d; a++) share.stress[a] += lateral * (1.0 - n[a] * n[a]);
       share.stress[3] -= lateral * n[0] * n[1];
       share.stress[4] -= lateral * n[0] * n[2];

@@ -122,9 +122,7 @@ double FixTMSPHWall::gap_of(int i) const
 double FixTMSPHWall::stiffness_of(int i, double penetration, double dt) const
 {
   if (law == ContactLaw::PAPER) return stiffness * paper_stiffness(atom->rmass[i], dt);
-  const auto &material = pair->material(atom->type[i]);
-  const HalfCell cell = {material.young / (1.0 - material.poisson * material.poisson),
-                         pair->bonds()->spacing(i)};
+  const HalfCell cell = {plane_modulus(pair->elastic(i)), pair->bonds()->spacing(i)};
   return half_cells(&cell, 1, stiffness, penetration) * atom->vfrac[i] / cell.spacing;
 }
 

@@ -70,7 +70,7 @@ void FixTMSPHWall::add_shares(std::vector<Share> &shares)
       for (int a = 0; a < 3; a++) rubbing[a] -= normal[p] * place[p].normal[a];
 
     Share share = {i, true, {}};
-    const double ratio = pair->lateral_ratio(atom->type[i]);
+    const double ratio = pair->lateral_ratio(i);
     for (int p = 0; p < places; p++) {
       const Point &n = place[p].normal;
       const double scale = -half_row(i, n) / atom->vfrac[i];

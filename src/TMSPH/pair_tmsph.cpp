@@ -135,13 +135,12 @@ template <int D> void PairTMSPH::prepare()
   kinematic.assign((size_t) nall * R::KINEMATIC, 0.0);
   force_row.assign((size_t) nall * R::FORCE, 0.0);
   for (int i = 0; i < nall; i++) {
-    const Material &m = materials[atom->type[i]];
     const double density = atom->rmass[i] / atom->vfrac[i];
     double *row = kinematic.data() + (size_t) i * R::KINEMATIC;
     for (int k = 0; k < D; k++) row[R::X + k] = bond_fix->reference(i)[k];
-    row[R::YOUNG] = m.elastic.young;
+    row[R::YOUNG] = elastic(i).young;
     double *end = D == 2 ? row : force_row.data() + (size_t) i * R::FORCE;
-    end[R::SPEED] = std::sqrt(m.elastic.wave_modulus / density);
+    end[R::SPEED] = std::sqrt(elastic(i).wave_modulus / density);
     end[R::DENSITY] = density;
   }
   lay_out_coupling<D>();
@@ -177,7 +176,7 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   eigen.computeDirect(K, Eigen::EigenvaluesOnly);
   const auto &value = eigen.eigenvalues();
   const bool singular = !(value[0] > SINGULAR * atom->vfrac[i] * bond_fix->interior_kappa());
-  const Elastic &m = materials[atom->type[i]].elastic;
+  const Elastic &m = elastic(i);
   double *own = bonds.own.data() + (size_t) q * CONSTANTS<D> * WIDTH + l;
   Eigen::Matrix<double, D, D> inverse = Eigen::Matrix<double, D, D>::Zero();
   if (!singular) inverse = K.inverse();
@@ -206,11 +205,9 @@ template <int D> void PairTMSPH::update_kinematics()
   if (on.thermal == ThermalStrain::NONE) return;
   bool possible = true;
   for (int i = 0; i < nall; i++) {
-    const Material &m = materials[atom->type[i]];
-    const double push = m.elastic.young * m.elastic.expansion *
-        (atom->temperature[i] - m.reference_temperature);
+    const double push = thermal_push(i);
     kinematic[(size_t) i * R::KINEMATIC + R::THERMAL] = push;
-    possible &= push > -m.elastic.young;    // false for NaN
+    possible &= push > -elastic(i).young;    // false for NaN
   }
   if (!possible) stop_thermal();
 }
@@ -276,14 +273,6 @@ template <int D> void PairTMSPH::test_bonds()
   if (averaging) find_pressures<D>();
 }
 
-/* ---------------------------------------------------------------------- */
-
-double PairTMSPH::thermal_strain(int i) const
-{
-  const Material &m = materials[atom->type[i]];
-  return m.elastic.expansion * (atom->temperature[i] - m.reference_temperature);
-}
-
 /* ----------------------------------------------------------------------
    so many particles share the ball of the horizon; the volumes of particles may contain
    a thickness
@@ -343,8 +332,7 @@ double PairTMSPH::stress_zz(int i, double sxx, double syy) const
 {
   if (plane == Plane::STRESS) return 0.0;
   const Material &m = materials[atom->type[i]];
-  const double heated = atom->temperature[i] - m.reference_temperature;
-  return m.poisson * (sxx + syy) - m.young * m.expansion * heated;
+  return m.poisson * (sxx + syy) - m.young * m.expansion * heating(i);
 }
 
 /* ----------------------------------------------------------------------
@@ -359,12 +347,7 @@ double PairTMSPH::bond_energy(int i, int k, const double *stress) const
   double X[3], work = 0.0;
   bond_fix->reference_vector(i, j, X);
   const int row[3][3] = {{0, D, D + 1}, {D, 1, D + 2}, {D + 1, D + 2, 2}};
-  const auto heated = [this](int p) {
-    const Material &m = materials[atom->type[p]];
-    return m.elastic.young * m.elastic.expansion * (atom->temperature[p] - m.reference_temperature);
-  };
-  const double theta = (heated(i) + heated(j)) /
-      (materials[atom->type[i]].elastic.young + materials[atom->type[j]].elastic.young);
+  const double theta = (thermal_push(i) + thermal_push(j)) / (elastic(i).young + elastic(j).young);
   for (int a = 0; a < D; a++) {
     const double u = (atom->x[j][a] - bond_fix->reference(j)[a]) -
         (atom->x[i][a] - bond_fix->reference(i)[a]) - theta * X[a];

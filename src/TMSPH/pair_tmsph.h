@@ -14,6 +14,7 @@ PairStyle(tmsph,PairTMSPH);
 #ifndef LMP_PAIR_TMSPH_H
 #define LMP_PAIR_TMSPH_H
 
+#include "atom.h"
 #include "fix_tmsph_bond.h"
 #include "pair.h"
 #include "tmsph_box.h"
@@ -127,10 +128,18 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   }
   /// number of stress components per particle in fields(): xx yy xy, or xx yy zz xy xz yz
   int stress_size() const;
-  /// stress along a surface/stress across it where the material cannot stretch along it
-  double lateral_ratio(int type) const
+  /// constants of a local or ghost particle: whoever computes with a particle asks here
+  const TMSPH::Elastic &elastic(int i) const { return materials[atom->type[i]].elastic; }
+  /// temperature above that without thermal strain
+  double heating(int i) const
   {
-    const TMSPH::Elastic &m = materials[type].elastic;
+    return atom->temperature[i] - materials[atom->type[i]].reference_temperature;
+  }
+  double thermal_strain(int i) const { return elastic(i).expansion * heating(i); }
+  /// stress along a surface/stress across it where the material cannot stretch along it
+  double lateral_ratio(int i) const
+  {
+    const TMSPH::Elastic &m = elastic(i);
     return m.lambda / (m.lambda + 2.0 * m.shear);
   }
   void set_break_test(BreakTest *test) { break_test = test; }
@@ -144,7 +153,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   /// F - I of the local particles in the last force evaluation, [nlocal][dimension*dimension];
   /// only with a contact set
   const double *step_gradient() const { return gradient.data(); }
-  double thermal_strain(int i) const;
   /// false for a local particle with too few bonds for a deformation gradient, see update_shape()
   template <int D> bool bears_stress(int i) const { return *own_constants<D>(i) != 0.0; }
   bool expands() const { return on.thermal != TMSPH::ThermalStrain::NONE; }
@@ -296,6 +304,12 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   template <int D> void complete_rows();
   template <int D>
   void bond_forces(const TMSPH::Viscosity &, double *f, int stride);
+  /// E a, what a particle puts into the mean that makes the thermal strain of a bond
+  double thermal_push(int i) const
+  {
+    const TMSPH::Elastic &m = elastic(i);
+    return m.young * m.expansion * heating(i);
+  }
   void stop_inverted(int);
   void stop_thermal();
   template <int D> double stable_timestep_in();

@@ -119,7 +119,7 @@ template <int D> void PairTMSPH::find_pressures()
   send(AVERAGE);
   average_sweep<D>(slices(), exchanged.data(), mean_dilatation.data());
   for (int i = 0; i < nlocal; i++)    // 0 for materials that do not average
-    exchanged[i] = materials[atom->type[i]].elastic.lambda * mean_dilatation[i];
+    exchanged[i] = elastic(i).lambda * mean_dilatation[i];
   send(AVERAGE);
   average_sweep<D>(slices(), exchanged.data(), pressure.data());
 }
@@ -153,7 +153,7 @@ template <int D> void PairTMSPH::add_pressure_to_stress(int i, const double *H)
 double PairTMSPH::dilatation_energy(int i) const
 {
   const double mean = mean_dilatation[i];
-  return 0.5 * atom->vfrac[i] * materials[atom->type[i]].elastic.lambda * mean * mean;
+  return 0.5 * atom->vfrac[i] * elastic(i).lambda * mean * mean;
 }
 
 // for pair_tmsph.cpp and the others

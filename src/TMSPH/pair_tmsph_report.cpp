@@ -103,7 +103,7 @@ std::pair<double, double> PairTMSPH::matter() const
   double mine[2] = {0.0, 0.0}, all[2];
   for (int i = 0; i < atom->nlocal; i++) {
     mine[0] += atom->rmass[i];
-    mine[1] += atom->vfrac[i] * materials[atom->type[i]].elastic.wave_modulus;
+    mine[1] += atom->vfrac[i] * elastic(i).wave_modulus;
   }
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
   return {all[0], all[1]};

@@ -61,9 +61,7 @@ void PairTMSPH::stop_inverted(int i)
 void PairTMSPH::stop_thermal()
 {
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
-    const Material &m = materials[atom->type[i]];
-    const double strain =
-        m.elastic.expansion * (atom->temperature[i] - m.reference_temperature);
+    const double strain = thermal_strain(i);
     if (!(strain > -1.0))
       error->one(FLERR,
                  "Particle {} has temperature {} and a thermal strain of {} on step {}: check its "

@@ -38,6 +38,12 @@ inline Elastic elastic_constants(int dimension, Plane plane, double young, doubl
   return m;
 }
 
+/// E/(1 - nu^2), of a surface that is pressed evenly
+inline double plane_modulus(const Elastic &m)
+{
+  return m.young / (1.0 - m.poisson * m.poisson);
+}
+
 /// Square matrix of scalars T, row-major; only what the laws need.
 template <int D, class T> struct Matrix {
   T a[D][D];

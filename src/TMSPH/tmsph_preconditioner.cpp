@@ -73,15 +73,14 @@ template <int D> void TMSPHPreconditioner::build(const double *forces)
   const double square = std::pow(pair->spacing(), 2);
   double stiffest = 0.0, bound;
   for (int i = 0; i < atom->nlocal; i++)
-    stiffest = std::max(stiffest,
-                        atom->vfrac[i] * pair->material(atom->type[i]).elastic.wave_modulus);
+    stiffest = std::max(stiffest, atom->vfrac[i] * pair->elastic(i).wave_modulus);
   stiffest *= atom->natoms * (2.0 * D / std::pow(grid.narrowest(), 2) + HOLD / square);
   MPI_Allreduce(&stiffest, &bound, 1, MPI_DOUBLE, MPI_MAX, world);
   const double scale = fixed_point_scale(bound);
   mine.assign(grid.entries(), 0);
   all.resize(grid.entries());
   for (int i = 0; i < atom->nlocal; i++) {
-    const Elastic &elastic = pair->material(atom->type[i]).elastic;
+    const Elastic &elastic = pair->elastic(i);
     const double volume = atom->vfrac[i];
     grid.add_stiffness(atom->x0[i], volume * elastic.lambda, volume * elastic.shear, scale,
                        mine.data());
@@ -107,7 +106,7 @@ template <int D> void TMSPHPreconditioner::follow()
   const double square = std::pow(pair->spacing(), 2);
   double softest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
-    const double modulus = pair->material(atom->type[i]).elastic.wave_modulus;
+    const double modulus = pair->elastic(i).wave_modulus;
     compliance.push_back(square / (LOCAL * modulus * atom->vfrac[i]));
     softest = std::max(softest, compliance.back());
     on.places.push_back(on.grid->place(atom->x0[i]));

@@ -257,10 +257,8 @@ int TMSPHQuasistatic::next_steps(int most)
   most = next_stop(most);
   if (rock && load > 0.0 && load < 1.0 && !any_broken()) {
     double hottest = 0.0, all;
-    for (int i = 0; i < atom->nlocal; i++) {
-      const double reference = pair->material(atom->type[i]).reference_temperature;
-      hottest = std::max(hottest, std::fabs(atom->temperature[i] - reference));
-    }
+    for (int i = 0; i < atom->nlocal; i++)
+      hottest = std::max(hottest, std::fabs(pair->heating(i)));
     MPI_Allreduce(&hottest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
     const double heating = all * (1.0 / load - 1.0);
     const bool near = JUMP * heating < change;
