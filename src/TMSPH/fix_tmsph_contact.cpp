@@ -138,7 +138,7 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   pressing.resize(pairings.size());
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
-    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.now, kernel, ahead(law, dt));
+    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.now, kernel, law.ahead(dt));
     pressing[n] = states[n].predicted > 0.0 ? states[n].stiffness : 0.0;
   }
   if (facing) find_places(dt);
@@ -163,9 +163,10 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
     const double frequency = rows[(size_t) width * p.low + Row::COMPLIANCE] +
         rows[(size_t) width * p.high + Row::COMPLIANCE];
     double heat = 0.0;
-    if (law == ContactLaw::PAPER && frequency > 0.0) {
-      s.stiffness = stiffness * paper_stiffness(s.stiffness / frequency, update->dt);
-      s.shear_ratio = 1.0;
+    if (frequency > 0.0) {
+      s.stiffness =
+          law.stiffness(s.stiffness, stiffness, s.stiffness / frequency, update->dt);
+      s.shear_ratio = law.shear_ratio(s.shear_ratio);
     }
     const double normal =
         contact_force<D>(law, p.pair, s, frequency, dt, act.f, p.now, heat);

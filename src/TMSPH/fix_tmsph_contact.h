@@ -135,10 +135,12 @@ class FixTMSPHContact : public Fix,
     std::vector<Pressed> pressed;                    // ascending partners; only for heat
     double rubbed = 0.0;                             // only for heat: friction's work not yet taken
   };
+  /** Of bodies without bonds, of faces of a crack or a cut, or not in the reference but later. */
+  enum class Meeting { BODIES, FACES, LATER };
   /** Two particles, at least one of them local, computed once. */
   struct Pairing {
     int low, high;        // by id
-    int kind;             // 0: bodies without bonds, 1: faces of a crack or a cut, 2: met later
+    Meeting meeting;
     TMSPH::ContactPast *past;    // of the record of a local end
     TMSPH::ContactPast *copy;    // of the other one if it is local too, or nullptr
     TMSPH::ContactPast now;      // the same, ahead of the records: see write_back()

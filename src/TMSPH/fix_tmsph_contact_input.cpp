@@ -34,7 +34,7 @@ static constexpr double RESTART_FORMAT = 3.0;
 
 FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), self(true),
-    law(TMSPH::ContactLaw::IMPLICIT), stiffness(1.0),
+    law(TMSPH::CONTACT_LAWS[0]), stiffness(1.0),
     records_behind(false), any_pairs(false), resumed(false), version(-1), removals(0),
     distance_checked(false), sides_checked(false), surfaces_version(-1), surfaces_removals(0),
     last_search(0), next_search(0), search_dt(0.0), width(0), sent_first(0), sent_count(0),
@@ -103,9 +103,13 @@ void FixTMSPHContact::parse(int narg, char **arg)
                           "in 3-D");
       segments.reset(name == "segment" ? new Segments : nullptr);
     }
-    if (word == "law" && !named(arg[iarg + 1], law))
-      error->all(FLERR, "Unknown law '{}' of fix tmsph/contact: use implicit, penalty or paper",
-                 arg[iarg + 1]);
+    if (word == "law") {
+      const TMSPH::ContactLaw *known = TMSPH::contact_law(arg[iarg + 1]);
+      if (!known)
+        error->all(FLERR, "Unknown law '{}' of fix tmsph/contact: use {}", arg[iarg + 1],
+                   TMSPH::contact_laws());
+      law = *known;
+    }
     if (word == "surface") region_ids.push_back(arg[iarg + 1]);
     if (word == "self") self = utils::logical(FLERR, arg[iarg + 1], false, lmp);
     if (word == "stiffness") {

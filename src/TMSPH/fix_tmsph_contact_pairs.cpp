@@ -75,7 +75,7 @@ void FixTMSPHContact::find_refits(const std::vector<Pairing> &before)
   for (size_t n = 0; n < pairings.size() && !sorted.empty(); n++) {
     const Pairing &p = pairings[n];
     const auto old = std::lower_bound(sorted.begin(), sorted.end(), p, order);
-    if (p.kind != 1 || old == sorted.end() || order(p, *old)) continue;
+    if (p.meeting != Meeting::FACES || old == sorted.end() || order(p, *old)) continue;
     const ContactPair &was = old->pair, &is = p.pair;
     if (was.distance != is.distance ||
         !std::equal(is.normal_low, is.normal_low + domain->dimension, was.normal_low))
@@ -164,10 +164,12 @@ void FixTMSPHContact::list_pairs()
   refits.clear();
   const auto add = [&](const Member &m, End &e) {
     const int state = e.met ? -1 : bonds->state_with(m.i, tag[e.j]);
-    const int kind = e.met ? 2 : state == FixTMSPHBond::UNBONDED ? 0 : 1;
+    const Meeting meeting = e.met                  ? Meeting::LATER
+        : state == FixTMSPHBond::UNBONDED ? Meeting::BODIES
+                                          : Meeting::FACES;
     e.pairing = pairings.size();
     ContactPast *past = e.past();
-    pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, kind, past, nullptr, *past, {}});
+    pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, meeting, past, nullptr, *past, {}});
     if (e.met) static_cast<PairGeometry &>(pairings.back().pair) = e.met->geometry;
   };
   for (const Member &m : members)
@@ -299,11 +301,11 @@ template <int D> void FixTMSPHContact::fit_pairs()
 
   for (Pairing &pairing : pairings) {
     set_stiffness(pairing, bonds->interior_kappa(), SHEAR_CLOSURE<D> / CLOSURE<D>, CLOSURE<D>);
-    if (pairing.kind == 2) continue;
-    const int low = pairing.low, high = pairing.high, which = pairing.kind * SIZE;
+    if (pairing.meeting == Meeting::LATER) continue;
+    const int low = pairing.low, high = pairing.high, which = pairing.meeting == Meeting::FACES ? SIZE : 0;
     double X[3], direction[D], R2 = 0.0;
     bonds->reference_vector(low, high, X);
-    if (pairing.kind == 0 && take_given_surfaces<D>(pairing, X, pairing.pair)) {
+    if (pairing.meeting == Meeting::BODIES && take_given_surfaces<D>(pairing, X, pairing.pair)) {
       set_origin<D>(X, pairing.pair);
       continue;
     }

@@ -58,7 +58,7 @@ double FixTMSPHContact::touching_distance(int i, int a, int b, double along) con
 void FixTMSPHContact::find_places(double dt)
 {
   Segments &s = *segments;
-  const double ahead = TMSPH::ahead(law, dt);
+  const double ahead = law.ahead(dt);
   const auto row = [this](int i) { return rows.data() + (size_t) width * i; };
   for (const Member &m : members)
     for (int p = 0; p < Row::PLACES; p++) row(m.i)[Row::WHERE + p * Row::WHERE_SIZE] = 0.0;
@@ -132,11 +132,10 @@ void FixTMSPHContact::find_places(double dt)
                                  {plane_modulus(pair->elastic(p.a)), spacing[1]}};
       const double between = 0.5 * (spacing[0] + spacing[1]);
       const double layer = std::max(p.touching, THINNEST * between);
-      const double k = law == ContactLaw::PAPER
-          ? stiffness * paper_stiffness(atom->rmass[i], update->dt)
-          : half_cells(cells, 2, stiffness * between / layer, p.touching - p.distance) *
-              spacing[0];
-      slave.stiffness = std::max(slave.stiffness, k);
+      const double spring =
+          half_cells(cells, 2, stiffness * between / layer, p.touching - p.distance) * spacing[0];
+      slave.stiffness = std::max(
+          slave.stiffness, law.stiffness(spring, stiffness, atom->rmass[i], update->dt));
     }
     for (int n = 0; n < slave.count; n++) {
       double *where = row(i) + Row::WHERE + n * Row::WHERE_SIZE;
@@ -209,7 +208,7 @@ void FixTMSPHContact::hold(Slave &slave, double dt)
   const Segments &s = *segments;
   const int i = slave.i;
   const double *x = atom->x[i];
-  const double ahead = TMSPH::ahead(law, dt), k = slave.stiffness;
+  const double ahead = law.ahead(dt), k = slave.stiffness;
   const auto row = [this](int p) { return rows.data() + (size_t) width * p; };
   Memory &memory = memories[atom->tag[i]];
   double frequency = 0.0, normal[2] = {}, predicted[2] = {}, pushed[2] = {};
@@ -227,8 +226,8 @@ void FixTMSPHContact::hold(Slave &slave, double dt)
   } else if (slave.count == 1)
     normal[0] = implicit_normal(k, q, predicted[0]);
   for (int n = 0; n < slave.count; n++) {
-    if (law == ContactLaw::PENALTY && normal[n] > 0.0)
-      normal[n] = damped_normal(normal[n], k, frequency, slave.place[n].closing);
+    if (normal[n] > 0.0)
+      normal[n] = law.normal(normal[n], k, frequency, slave.place[n].closing);
     for (int a = 0; a < 2; a++) pushed[a] += normal[n] * slave.place[n].normal[a];
   }
 
@@ -278,7 +277,7 @@ void FixTMSPHContact::hold(Slave &slave, double dt)
       slip += tangent[c] * (x[c] - origin[c] + ahead *
           (relative(Row::V) + ahead * (relative(Row::A) + pushed[c] / atom->rmass[i])));
     }
-    const double ratio = law == ContactLaw::PAPER ? 1.0 : TANGENTIAL;
+    const double ratio = law.shear_ratio(TANGENTIAL);
     const double share = bonds->spacing(i) / (bonds->spacing(i) + bonds->spacing(p.a));
     const double borne = (1.0 - p.along) * a[Row::BEARS] + p.along * b[Row::BEARS];
     const bool held = borne > 0.0 || mine[Row::BEARS] != 0.0;

@@ -121,9 +121,10 @@ double FixTMSPHWall::gap_of(int i) const
 
 double FixTMSPHWall::stiffness_of(int i, double penetration, double dt) const
 {
-  if (law == ContactLaw::PAPER) return stiffness * paper_stiffness(atom->rmass[i], dt);
   const HalfCell cell = {plane_modulus(pair->elastic(i)), pair->bonds()->spacing(i)};
-  return half_cells(&cell, 1, stiffness, penetration) * atom->vfrac[i] / cell.spacing;
+  const double spring =
+      half_cells(&cell, 1, stiffness, penetration) * atom->vfrac[i] / cell.spacing;
+  return law.stiffness(spring, stiffness, atom->rmass[i], dt);
 }
 
 /* ----------------------------------------------------------------------
@@ -135,7 +136,7 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
 {
   const int i = t.i;
   const double m = atom->rmass[i], k = t.stiffness;
-  const double ahead = TMSPH::ahead(law, dt);
+  const double ahead = law.ahead(dt);
   const double q = ahead * ahead * k / m + dragged;
   const Point &x = t.x;
   const Point wall = motion.velocity_at(x);
@@ -145,12 +146,12 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
     implicit_corner(k, q, dot(t.place[0].normal, t.place[1].normal), t.predicted, normal);
   else
     normal[0] = implicit_normal(k, q, t.predicted[0]);
-  if (law == ContactLaw::PENALTY && dt > 0.0)
+  if (law.damping > 0.0 && dt > 0.0)
     for (int p = 0; p < t.places; p++) {
       double closing = 0.0;
       for (int a = 0; a < 3; a++) closing -= t.place[p].normal[a] * (atom->v[i][a] - wall[a]);
       if (t.penetration[p] > 0.0)
-        normal[p] = damped_normal(normal[p], k, k / m, closing);
+        normal[p] = law.normal(normal[p], k, k / m, closing);
     }
 
   const double least = JUST_TOUCHES * gap_of(i);
@@ -196,7 +197,7 @@ void FixTMSPHWall::hold(Touching &t, double dt, double dragged)
     }
     const double along = dot(slip, place.normal);
     for (int a = 0; a < 3; a++) slip[a] -= along * place.normal[a];
-    const double kt = law == ContactLaw::PAPER ? k : TANGENTIAL * k;
+    const double kt = law.shear_ratio(TANGENTIAL) * k;
     Point rubbing, excess, moved;
     implicit_friction<3>(kt, q * kt / k, friction * normal[p], slip.data(), rubbing.data(),
                          excess.data());
@@ -235,7 +236,7 @@ void FixTMSPHWall::act(double dt)
   energy = 0.0;
   find_touching(dt);
   double dragged = 0.0;
-  if (mass > 0.0 && law == ContactLaw::IMPLICIT) {
+  if (mass > 0.0 && law.predicts) {
     std::vector<Point> stiff;
     for (const Touching &t : touching)
       if (t.predicted[0] > 0.0 || (t.places == 2 && t.predicted[1] > 0.0))

@@ -36,7 +36,7 @@ static constexpr double DEGREE = 3.14159265358979323846 / 180.0;
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHWall::FixTMSPHWall(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), pair(nullptr), law(ContactLaw::IMPLICIT), friction(0.0), stiffness(1.0),
+    Fix(lmp, narg, arg), pair(nullptr), law(CONTACT_LAWS[0]), friction(0.0), stiffness(1.0),
     both_sides(false), turns(false), is_free{}, mass(0.0), varies(false), repeats{}, middle{},
     warned(false), skin(0.0), travel(0.0), farthest(0.0), version(-1), started(false), totals{},
     energy(0.0)
@@ -220,9 +220,10 @@ void FixTMSPHWall::parse(int iarg, int narg, char **arg)
       if (!both_sides && strcmp(value[0], "one") != 0)
         error->all(FLERR, "Unknown value '{}' of fix tmsph/wall side: use one or both", value[0]);
     } else if (word == "law") {
-      if (!named(value[0], law))
-        error->all(FLERR, "Unknown law '{}' of fix tmsph/wall: use implicit, penalty or paper",
-                   value[0]);
+      const ContactLaw *known = contact_law(value[0]);
+      if (!known)
+        error->all(FLERR, "Unknown law '{}' of fix tmsph/wall: use {}", value[0], contact_laws());
+      law = *known;
     } else if (word == "velocity") {
       for (int a = 0; a < d; a++) velocity[a] = number_or_variable(value[a]);
     } else if (word == "rotation") {

@@ -184,7 +184,7 @@ bool FixTMSPHWall::touch(const Candidate &c, Touching &t) const
 void FixTMSPHWall::predict(Touching &t, double dt) const
 {
   const int i = t.i;
-  const double ahead = TMSPH::ahead(law, dt), gap = gap_of(i);
+  const double ahead = law.ahead(dt), gap = gap_of(i);
   const Point v = motion.velocity_at(t.x);
   double deepest = -gap;
   for (int a = 0; a < 3; a++)

@@ -14,40 +14,55 @@
 
 namespace TMSPH {
 
-/** IMPLICIT: answers the penetration at the end of the step. PENALTY: that of now, with damping.
-    PAPER: 2 m/dt^2 as stiffness, which throws a lone particle back in one step: Mu et al. (2022),
-    Eqs. 14 and 15. */
-enum class ContactLaw { IMPLICIT, PENALTY, PAPER };
+/** What a contact law is made of; one more is one more line of CONTACT_LAWS. */
+struct ContactLaw {
+  const char *name;
+  bool predicts;        ///< answers the penetration at the end of the step, else that of now
+  double damping;       ///< of the normal motion, of critical
+  bool throws_back;     ///< stiffness 2 m/dt^2: a lone particle leaves in one step
 
-/// @return false for a word that is none of the laws
-inline bool named(const std::string &word, ContactLaw &law)
+  /// the time that it looks ahead
+  double ahead(double dt) const { return predicts ? dt : 0.0; }
+  /** @param spring stiffness of the surfaces
+      @param factor of the user
+      @param m      effective mass of the partners */
+  double stiffness(double spring, double factor, double m, double dt) const
+  {
+    return throws_back ? factor * (2.0 * m / (dt * dt)) : spring;
+  }
+  /// @param spring stiffness along the surface/across it
+  double shear_ratio(double spring) const { return throws_back ? 1.0 : spring; }
+  /** Normal force of partners that touch.
+      @param force     of the spring
+      @param frequency squared, of the partners on all their springs
+      @param closing   velocity */
+  double normal(double force, double stiffness, double frequency, double closing) const
+  {
+    return damping == 0.0
+        ? force
+        : std::max(0.0, force + 2.0 * damping * stiffness / std::sqrt(frequency) * closing);
+  }
+};
+
+/// implicit is usual; paper: Mu et al. (2022), Eqs. 14 and 15
+constexpr ContactLaw CONTACT_LAWS[] = {
+    {"implicit", true, 0.0, false}, {"penalty", false, 0.2, false}, {"paper", false, 0.0, true}};
+
+/// @return nullptr for a word that is none of the laws
+inline const ContactLaw *contact_law(const std::string &word)
 {
-  law = word == "paper" ? ContactLaw::PAPER
-      : word == "penalty" ? ContactLaw::PENALTY
-                          : ContactLaw::IMPLICIT;
-  return law != ContactLaw::IMPLICIT || word == "implicit";
+  for (const ContactLaw &law : CONTACT_LAWS)
+    if (word == law.name) return &law;
+  return nullptr;
 }
 
-/// the time that a law looks ahead
-inline double ahead(ContactLaw law, double dt)
+/// their names, for an error
+inline std::string contact_laws()
 {
-  return law == ContactLaw::IMPLICIT ? dt : 0.0;
-}
-
-/// stiffness of the law PAPER for partners of effective mass m
-inline double paper_stiffness(double m, double dt)
-{
-  return 2.0 * m / (dt * dt);
-}
-
-/** Normal force of the law PENALTY.
-    @param force     of the spring, whose partners touch
-    @param frequency squared, of the partners on all their springs
-    @param closing   velocity */
-inline double damped_normal(double force, double stiffness, double frequency, double closing)
-{
-  constexpr double DAMPING = 0.2;    // of critical
-  return std::max(0.0, force + 2.0 * DAMPING * stiffness / std::sqrt(frequency) * closing);
+  std::string names;
+  for (const ContactLaw &law : CONTACT_LAWS)
+    names += (names.empty() ? "" : " or ") + std::string(law.name);
+  return names;
 }
 
 /** A force per area that depends on the penetration p of two surfaces stands for the half cells

@@ -212,14 +212,13 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
     @param heat  energy that friction took, added
     @return the normal force */
 template <int D>
-inline double contact_force(ContactLaw law, const ContactPair &pair, const ContactState<D> &s,
+inline double contact_force(const ContactLaw &law, const ContactPair &pair, const ContactState<D> &s,
                             double frequency, double dt, double *force, ContactPast &past,
                             double &heat)
 {
-  const double q = ahead(law, dt) * ahead(law, dt) * frequency;
+  const double q = law.ahead(dt) * law.ahead(dt) * frequency;
   double normal = implicit_normal(s.stiffness, q, s.predicted);
-  if (law == ContactLaw::PENALTY && normal > 0.0)
-    normal = damped_normal(normal, s.stiffness, frequency, s.closing);
+  if (normal > 0.0) normal = law.normal(normal, s.stiffness, frequency, s.closing);
   double friction[D - 1], excess[D - 1];
   const double ratio = s.shear_ratio, limit = s.central ? 0.0 : pair.friction * normal;
   implicit_friction<D - 1>(ratio * s.stiffness, ratio * q, limit, s.slip, friction, excess);

@@ -393,7 +393,7 @@ CASES = [
     (PLATE, dict(more=CONTACT + "rough 1"), "rough|use friction, law, method, self, "
                                             "stiffness or surface"),
     (PLATE, dict(more=CONTACT + "law"), "tmsph/contact law|missing"),
-    (PLATE, dict(more=CONTACT + "law hertz"), "law 'hertz'|use implicit, penalty or paper"),
+    (PLATE, dict(more=CONTACT + "law hertz"), "law 'hertz'|use implicit or penalty or paper"),
     (PLATE, dict(more=CONTACT + "method"), "tmsph/contact method|missing"),
     (PLATE, dict(more=CONTACT + "method nodes"), "method 'nodes'|use kernel or segment"),
     (CUBE, dict(more=CONTACT + "method segment"), "method segment|dimension 2|method kernel"),
@@ -452,7 +452,7 @@ CASES = [
     (PLATE, dict(more=LINE + "friction"), "friction|missing"),
     (PLATE, dict(more=LINE + "stiffness 0"), "stiffness 0|positive|factor"),
     (PLATE, dict(more=LINE + "side left"), "left|one or both"),
-    (PLATE, dict(more=LINE + "law hard"), "hard|implicit, penalty or paper"),
+    (PLATE, dict(more=LINE + "law hard"), "hard|implicit or penalty or paper"),
     (PLATE, dict(more=LINE + "velocity 1"), "velocity|missing"),
     (PLATE, dict(more=LINE + "velocity 1 fast"), "floating point|fast"),
     (PLATE, dict(more=LINE + "velocity v_nowhere 0"), "nowhere|define"),
