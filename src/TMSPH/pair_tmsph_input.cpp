@@ -7,6 +7,7 @@
 #include "pair_tmsph.h"
 
 #include "atom.h"
+#include "citeme.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -17,6 +18,7 @@
 #include "neighbor.h"
 #include "tmsph_last_force.h"
 #include "tmsph_restart.h"
+#include "tmsph_version.h"
 #include "update.h"
 
 #include <algorithm>
@@ -26,9 +28,26 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
+static const char CITE_TMSPH[] =
+    "pair_style tmsph command: doi:10.1007/s00603-021-02737-z\n\n"
+    "@Article{Mu2022,\n"
+    " author = {Mu, Dianrui and Zhang, Dongyu and Tang, Aiping and Qu, Haigang and Li, Zhiming},\n"
+    " title = {Numerical Simulation of Rock Thermal Fracture Considering Friction Effect in the "
+    "Framework of Smooth Particle Hydrodynamics Based on Total {L}agrangian Formula},\n"
+    " journal = {Rock Mechanics and Rock Engineering},\n"
+    " year = {2022},\n"
+    " volume = {55},\n"
+    " pages = {1663--1685}\n"
+    "}\n\n";
+
 // grows when what restart files hold of this style changes
 
-static constexpr int RESTART_FORMAT = 2;
+static constexpr int RESTART_FORMAT = 3;
+
+// with the zeros behind it
+
+static constexpr int VERSION_LENGTH = 16;
+static_assert(sizeof(VERSION) <= VERSION_LENGTH, "the version fits into restart files");
 
 /* ---------------------------------------------------------------------- */
 
@@ -42,6 +61,7 @@ PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     prepared_version(-1), border_version(-1), averaging(false), coupling(false),
     what_to_send(FORCE_ROWS)
 {
+  if (lmp->citeme) lmp->citeme->add(CITE_TMSPH);
   single_enable = 0;
   writedata = 0;
   manybody_flag = 1;
@@ -382,7 +402,10 @@ void PairTMSPH::write_restart_settings(FILE *fp)
                           (double) thermal_mode, hourglass,   viscosity.alpha1,
                           viscosity.alpha2, (double) dilatation};
   const int format_and_law[2] = {RESTART_FORMAT, (int) on.law.index()};
+  char version[VERSION_LENGTH] = {};
+  memcpy(version, VERSION, sizeof(VERSION));
   fwrite(format_and_law, sizeof(int), 2, fp);
+  fwrite(version, 1, VERSION_LENGTH, fp);
   fwrite(list, sizeof(double), 8, fp);
 }
 
@@ -392,13 +415,18 @@ void PairTMSPH::read_restart_settings(FILE *fp)
 {
   double list[8];
   int format_and_law[2];
-  if (comm->me == 0) {
-    utils::sfread(FLERR, format_and_law, sizeof(int), 2, fp, nullptr, error);
-    utils::sfread(FLERR, list, sizeof(double), 8, fp, nullptr, error);
-  }
-  MPI_Bcast(list, 8, MPI_DOUBLE, 0, world);
+  if (comm->me == 0) utils::sfread(FLERR, format_and_law, sizeof(int), 2, fp, nullptr, error);
   MPI_Bcast(format_and_law, 2, MPI_INT, 0, world);
   check_restart_format(error, "pair style tmsph", format_and_law[0], RESTART_FORMAT);
+  if (comm->me == 0) {
+    char version[VERSION_LENGTH];
+    utils::sfread(FLERR, version, 1, VERSION_LENGTH, fp, nullptr, error);
+    utils::sfread(FLERR, list, sizeof(double), 8, fp, nullptr, error);
+    version[VERSION_LENGTH - 1] = '\0';
+    if (strcmp(version, VERSION) != 0)
+      utils::logmesg(lmp, "  written by TMSPH {}, read by TMSPH {}\n", version, VERSION);
+  }
+  MPI_Bcast(list, 8, MPI_DOUBLE, 0, world);
   cutoff = list[0];
   kernel = kernels().at((size_t) list[1]).second;
   plane = (Plane) (int) list[2];

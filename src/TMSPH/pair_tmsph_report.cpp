@@ -16,6 +16,7 @@
 #include "modify.h"
 #include "tmsph_collective.h"
 #include "tmsph_report.h"
+#include "tmsph_version.h"
 #include "update.h"
 
 #include <algorithm>
@@ -214,12 +215,12 @@ void PairTMSPH::report()
   if (comm->me) return;
   const double natoms = std::max<bigint>(atom->natoms, 1);
   utils::logmesg(lmp,
-                 "TMSPH: {} bonds, {:.1f} per particle ({} to {}), {} broken, {} cut\n"
+                 "TMSPH {}: {} bonds, {:.1f} per particle ({} to {}), {} broken, {} cut\n"
                  "  on: {}\n"
                  "  {:.0f} bytes per particle, {} doubles sent per ghost and step besides "
                  "positions\n",
-                 intact + broken + cut, 2.0 * (intact + broken + cut) / natoms, fewest, most,
-                 broken, cut, features(), all_bytes / natoms, doubles_per_ghost());
+                 VERSION, intact + broken + cut, 2.0 * (intact + broken + cut) / natoms, fewest,
+                 most, broken, cut, features(), all_bytes / natoms, doubles_per_ghost());
   if (all_flat && !broken && !cut)
     error->warning(FLERR, "{} particles have their neighbors on one {} and carry no stress: bodies "
                           "should be 2 particles thick, better 4",

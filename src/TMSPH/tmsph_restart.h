@@ -8,6 +8,7 @@
 #define LMP_TMSPH_RESTART_H
 
 #include "error.h"
+#include "tmsph_version.h"
 
 #include <string>
 
@@ -19,8 +20,10 @@ template <class Number>
 void check_restart_format(Error *error, const std::string &what, Number found, Number expected)
 {
   if (found != expected)
-    error->all(FLERR, "The restart file was written by another version of {}: continue with that "
-                      "version, or start anew from a data file", what);
+    error->all(FLERR,
+               "The restart file was written by another version of {}: continue with that "
+               "version, or start anew from a data file. This is TMSPH {}",
+               what, TMSPH::VERSION);
 }
 
 }    // namespace LAMMPS_NS

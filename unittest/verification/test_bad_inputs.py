@@ -555,7 +555,7 @@ def other_versions(report):
     places = [at for at in range(4, len(data) - 8) if data[at:at + 8] in formats
               and struct.unpack("<i", data[at - 4:at])[0] in range(24, 1000, 8)]
     refused = {}
-    settings = data.index(struct.pack("<iid", 2, 0, 3.015e-3))
+    settings = re.search(rb"\x03\0{7}\d[^\0]{1,14}\0+" + struct.pack("<d", 3.015e-3), data).start()
     for at, other in [(settings, struct.pack("<i", 1))] + [(at, struct.pack("<d", 1.0))
                                                            for at in places]:
         file = data[:at] + other + data[at + len(other):]

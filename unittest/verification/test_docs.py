@@ -238,8 +238,8 @@ for page in sorted(PAGES.glob("*.rst")):
     check_page(page)
 check_styles()
 check_map_of_files()
-for page in [ROOT / "README.md", ROOT / "examples/README.md", *sorted((ROOT / "doc").glob("*.md")),
-             *sorted((ROOT / "doc/report").glob("*.md"))]:
+for page in [*sorted(ROOT.glob("*.md")), ROOT / "examples/README.md",
+             *sorted((ROOT / "doc").glob("*.md")), *sorted((ROOT / "doc/report").glob("*.md"))]:
     check_markdown(page)
 if LMP:
     check_tutorial()
