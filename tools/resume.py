@@ -9,21 +9,25 @@ The input writes restart files, with the command restart, and reads the one that
 taken; one that was being written when the run was killed lacks LAMMPS's mark at its end. What dumps,
 tables and log have beyond its step is cut off, since the run writes it anew; this older part waits
 in FILE.before and is put in front again at the end, or by the next --resume if that is killed too.
-Without lmp args they are those of the last ./tmsph run."""
+What a run before the last ./tmsph run left is not looked at. Without lmp args they are those of the
+last ./tmsph run."""
 
 import argparse
 import fcntl
 import os
 import re
 import shutil
+import signal
 import struct
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 MAGIC = b"LammpS RestartT\0"
 STEP_FLAG = 5          # of the header, as in LAMMPS's lmprestart.h
 LOG = "log.lammps"
+PATIENCE = 10          # seconds until processes that were killed are gone
 
 
 def stop(text):
@@ -35,6 +39,14 @@ def read(path):
         return Path(path).read_text(errors="replace")
     except OSError as error:
         stop(f"cannot read {path}: {error.strerror}")
+
+
+def written_since(path, since):
+    """It is there, and not from a run before that one."""
+    try:
+        return path.stat().st_mtime_ns >= since
+    except FileNotFoundError:
+        return False
 
 
 # ---- Restart files ----
@@ -84,12 +96,11 @@ def restart_files(lines):
 def newest(files, since):
     """The step and the path of the newest complete one, not of an earlier run. Of two that take
     turns the first will be written first: so the newest becomes the second."""
-    known = [(restart_step(path), path) for path in files
-             if path.exists() and path.stat().st_mtime_ns >= since]
+    known = [(restart_step(path), path) for path in files if written_since(path, since)]
     known = [pair for pair in known if pair[0] is not None]
     if not known:
-        stop("no complete restart file of this run is here, as the command restart writes them: start it "
-             "anew")
+        stop("no complete restart file of this run is here, as the command restart writes them: "
+             "start it anew")
     step, path = max(known)
     if len(files) == 2 and path == files[0]:
         os.replace(path, files[1])
@@ -126,11 +137,16 @@ def frames(path):
 def dump_frames(file):
     start, line = 0, file.readline()
     while line:
-        step, count = file.readline(), 0
+        step, count = b"", 0
         while line and not line.startswith((b"ITEM: ATOMS", b"ITEM: ENTRIES")):
-            line = file.readline()
-            if line.startswith(b"ITEM: NUMBER OF"):
+            if line.startswith(b"ITEM: UNITS"):    # once, before the first frame
+                file.readline()
+                start = file.tell()
+            elif line.startswith(b"ITEM: TIMESTEP"):
+                step = file.readline()
+            elif line.startswith(b"ITEM: NUMBER OF"):
                 count = int(file.readline() or 0)
+            line = file.readline()
         for _ in range(count):
             line = file.readline()
         yield (int(step) if line.endswith(b"\n") else None), start
@@ -170,22 +186,25 @@ def older_part(path):
     return path.with_name(path.name + ".before")
 
 
-def set_aside(path, step):
-    if path.exists():
+def set_aside(path, step, since):
+    if written_since(path, since):
         cut(path, step)
         os.replace(path, older_part(path))
 
 
-def join(path):
-    """Puts the older part in front of what the newer one has beyond it: not its heading, and not the
-    step that it began with. A log is appended whole. If this is stopped it can be done once more."""
+def join(path, since):
+    """Puts the older part in front of what the newer one has beyond it: not its heading, and not
+    the step that it began with. If this is stopped anywhere it can be done once more."""
     before = older_part(path)
-    if not before.exists():
+    if not written_since(before, since):
         return
-    last = cut(before)
     if path.exists():
-        place = 0 if path.name == LOG else next((place for when, place in frames(path)
-                                                 if when is not None and when > last), None)
+        last = -1 if path.name == LOG else cut(before)
+        if last < 0:
+            join_whole(before, path)
+            return
+        place = next((place for when, place in frames(path)
+                      if when is not None and when > last), None)
         if place is not None:
             with open(path, "rb") as newer, open(before, "ab") as older:
                 newer.seek(place)
@@ -193,16 +212,75 @@ def join(path):
     os.replace(before, path)
 
 
+def join_whole(before, path):
+    """A log, or what has no steps. If the newer part begins with the older one, that is a heading,
+    or they have been joined already."""
+    both = path.with_name(path.name + ".both")
+    older = before.read_bytes()
+    with open(path, "rb") as newer:
+        if newer.read(len(older)) != older:
+            newer.seek(0)
+            with open(both, "wb") as file:
+                file.write(older)
+                shutil.copyfileobj(newer, file)
+            os.replace(both, path)
+    before.unlink()
+
+
 # ---- Run ----
 
-def last_arguments(input_file):
-    """Number of processes and arguments of the last ./tmsph run, and when it started."""
+def last_arguments(record):
+    """Number of processes and arguments of the last ./tmsph run, and when it started. The record is
+    empty if that was killed while it wrote it."""
     try:
-        record = Path(f".{input_file}.args")
-        np, *args = record.read_text().split("\n")[:-1]
+        np, *args = record.read_text().split("\n")[:-1] or [""]
         return np, args, record.stat().st_mtime_ns
-    except (OSError, ValueError):
+    except OSError:
         return "", [], 0
+
+
+def goes_on(input_file):
+    """A process runs that input in this folder. Those of mpirun outlive it by some seconds, and do
+    not hold the lock. Without /proc there are none."""
+    words, here = b"\0-in\0" + os.fsencode(input_file) + b"\0", os.getcwd()
+    for process in filter(str.isdigit, os.listdir("/proc") if os.path.isdir("/proc") else []):
+        try:
+            if os.readlink(f"/proc/{process}/cwd") == here:
+                if words in Path(f"/proc/{process}/cmdline").read_bytes():
+                    return True
+        except OSError:    # it has ended, or is another user's
+            pass
+    return False
+
+
+def wait_until_alone(input_file, record):
+    """Returns a file that is locked as long as it is open, here or in lmp, which inherits it. A run
+    that was killed a moment ago may still hold it."""
+    os.access(".", os.W_OK) or stop("cannot write here")
+    alone = open(record, "a") if record.exists() else open(input_file)
+    end = time.monotonic() + PATIENCE
+    while True:
+        try:
+            fcntl.flock(alone, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            locked = False
+        except BlockingIOError:
+            locked = True
+        except OSError:    # a file system without locks
+            locked = False
+        if not locked and not goes_on(input_file):
+            return alone
+        if time.monotonic() > end:
+            stop(f"a run of {input_file} is still going on here")
+        time.sleep(0.05)
+
+
+def call(command, alone):
+    """Runs it; signals that end a program are handed on, so that lmp does not stay behind."""
+    child = subprocess.Popen(command, pass_fds=[alone.fileno()])
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, lambda number, frame: child.send_signal(number))
+    status = child.wait()
+    return status if status >= 0 else 128 - status
 
 
 def main():
@@ -213,37 +291,32 @@ def main():
     given = parser.parse_args()
     lmp = os.environ.get("TMSPH_LMP") or stop("TMSPH_LMP, the path of lmp, is not set")
     shutil.which(lmp) or stop(f"there is no program {lmp}: TMSPH_LMP is the path of lmp")
-    np, args, since = last_arguments(given.input)
-    np, args = given.np or np, given.args or args
-
     text = read(given.input)
     if "${resume}" not in text:
         stop(f"{given.input} does not tell how to go on: it needs read_restart ${{resume}}, see "
              "doc/output.md")
-    try:
-        alone = open(f".{given.input}.args", "a")    # locked as long as lmp runs, which inherits it
-    except OSError as error:
-        stop(f"cannot write here: {error}")
-    try:
-        fcntl.flock(alone, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        stop(f"a run of {given.input} is still going on here")
+
+    record = Path(f".{given.input}.args")
+    alone = wait_until_alone(given.input, record)
+    np, args, since = last_arguments(record)
+    np, args = given.np or np, given.args or args
     log = Path(LOG)
+    join(log, since)       # first, as names with variables are in its older part
     lines = commands(text) + (commands(read(log)) if log.exists() else [])
     files = output_files(lines) + [log]
     for path in files:
-        join(path)
+        join(path, since)
     step, restart = newest(restart_files(lines), since)
     for path in files:
-        set_aside(path, step)
+        set_aside(path, step, since)
     print(f"tmsph: going on from step {step}, {restart}", file=sys.stderr)
     command = [lmp, "-in", given.input, *args, "-var", "resume", str(restart)]
     if np:
         command = [os.environ.get("TMSPH_MPIRUN", "mpirun"), "-np", np, *command]
-    done = subprocess.run(command, pass_fds=[alone.fileno()])
+    status = call(command, alone)
     for path in files:
-        join(path)
-    sys.exit(done.returncode)
+        join(path, since)
+    sys.exit(status)
 
 
 if __name__ == "__main__":

@@ -1,14 +1,17 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Runs that are killed at random moments and go on end with the same bits; torn restart files are
-known. Ten kills each: test_resume_long."""
+"""Runs that are killed and go on end with the same bits: in the middle of chosen files, which a
+limit of their size tears, and at random moments; torn restart files are known. Ten kills each:
+test_resume_long; kills at each place where a file changes: test_resume_calls."""
 
 import tempfile
 
-from resume import commands, restart_files
+from resume import commands, frames, restart_files
 from resuming import *
 from tmsph_testing import Report
 
 DYNAMIC = ["-var", "dx", "4e-3", "-var", "rate", "0.1", "-var", "restart", "200"]
+SHORT = ["-var", "dx", "5e-3", "-var", "rate", "0.4", "-var", "restart", "100", "-var", "dump",
+         "50", "-var", "bonds", "yes"]
 QUASISTATIC = ["-var", "dx", "5e-3", "-var", "quasistatic", "yes", "-var", "restart", "1000"]
 TABLES = {"disc": "broken_bonds.txt", "quench": "cracks.txt", "borehole": "cracks.txt"}
 
@@ -18,10 +21,38 @@ def killed(report, name, what, arguments, ranks, kills, life, seed, after=None):
     with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
         plain = Example(one, name, table, arguments, ranks)
         broken = Example(two, name, table, arguments, ranks)
+        plain.run()
         interrupt(report, f"{name}, {what}", plain, broken, [f"dump.{name}", table, "events.txt"],
-                  kills, life, seed)
+                  random_kills(kills, life, seed))
         if after:
             after(report, plain.place)
+
+
+def torn_files(report):
+    """Where files that grow end is known from a run that was not killed. Its frames of bonds, of
+    steps 0, 50 and so on, are almost equally long, a restart file is as long as three of them, and
+    the first picture, on step 300, longer."""
+    with tempfile.TemporaryDirectory() as folder:
+        plain = Example(Path(folder, "plain"), "disc", "broken_bonds.txt", SHORT)
+        plain.run()
+        frame = [place for _, place in frames(plain.place / "dump.bonds")]
+        restart = max(path.stat().st_size for path in plain.place.glob("restart.*"))
+        picture = plain.place.joinpath("image.120.png").stat().st_size
+        fourth = (restart + frame[4]) // 2    # in it
+        report.true("sizes", frame[3] < restart + 1000 < min(fourth, picture),
+                    f"frames {frame[1]}, restart files {restart}, picture {picture}")
+        for what, sizes, right in (
+                ("in the log", [3000], [0]),
+                ("in the first restart file, twice", [restart // 3, restart // 2], [0, 0]),
+                ("in a frame", [fourth], [100]),
+                ("before a frame, in the log", [frame[4], 3000], [100, 100]),
+                ("in a frame, before a frame, in a picture", [fourth, frame[4], restart + 1000],
+                 [100, 200, 300])):
+            broken = Example(Path(folder, what), "disc", "broken_bonds.txt", SHORT)
+            steps = interrupt(report, f"killed {what}", plain, broken,
+                              ["dump.disc", "dump.bonds", "broken_bonds.txt", "events.txt"],
+                              [dict(size=size) for size in sizes])
+            report.true(f"killed {what}: steps", steps == right, str(steps))
 
 
 def torn(report, place):
@@ -75,6 +106,7 @@ def wrong(report):
 if __name__ == "__main__":
     report = Report()
     wrong(report)
+    torn_files(report)
     killed(report, "disc", "dynamic, 1 rank", DYNAMIC, 1, 3, 30, 1, torn)
     killed(report, "disc", "quasi-static, 2 ranks", QUASISTATIC, 2, 3, 60, 2)
     report.finish()

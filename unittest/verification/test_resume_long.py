@@ -1,13 +1,17 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""As test_resume, with ten kills of each run, on 1 and 2 processes, and the other examples that write
-restart files: quasi-static with conduction, and with a run before the one that is resumed."""
+"""As test_resume and test_resume_calls, with ten kills of each run, on 1 and 2 processes, and the
+other examples that write restart files: quasi-static with conduction, and with a run before the one
+that is resumed; and a second kill after more of the first ones."""
 
 from test_resume import *
+from test_resume_calls import each_place
 
 QUENCH = ["-var", "dx", "0.4e-3", "-var", "restart", "20"]
 BOREHOLE = ["-var", "dx", "2.5e-3", "-var", "restart", "15"]
 
 report = Report()
+with tempfile.TemporaryDirectory() as folder:
+    each_place(report, folder, 5)
 for ranks in (1, 2):
     what = f"{ranks} ranks"
     killed(report, "disc", f"dynamic, {what}", DYNAMIC, ranks, 10, 16, 3 + ranks)
