@@ -6,9 +6,10 @@
 
 The input writes restart files, with the command restart, and reads the one that the variable
 "resume" names instead of making the body (see doc/output.md). The newest complete restart file is
-taken; one that was being written when the run was killed lacks LAMMPS's mark at its end. What dumps,
-tables and log have beyond its step is cut off, since the run writes it anew; this older part waits
-in FILE.before and is put in front again at the end, or by the next --resume if that is killed too.
+taken; one that was being written when the run was killed lacks LAMMPS's mark at its end. What
+dumps, tables and log have beyond its step is cut off, since the run writes it anew; this older part
+waits in FILE.before and is put in front again at the end, or by the next --resume if that is killed
+too.
 What a run before the last ./tmsph run left is not looked at. Without lmp args they are those of the
 last ./tmsph run."""
 
@@ -83,8 +84,9 @@ def commands(text):
 def restart_files(lines):
     """The files that the command restart names: two that take turns, or one for each step. Names
     with variables are in the log, with their values."""
+    word = r"\s+([^\s\"$]+)"
     for line in lines:
-        found = re.search(r"(?:^|\")\s*restart\s+[^\s\"]+\s+([^\s\"$]+)(?:\s+([^\s\"$]+))?(?:\s|\"|$)", line)
+        found = re.search(rf"(?:^|\")\s*restart\s+[^\s\"]+{word}(?:{word})?(?:\s|\"|$)", line)
         if found and found[2]:
             return [Path(found[1]), Path(found[2])]
         if found:
@@ -113,25 +115,27 @@ def newest(files, since):
 def output_files(lines):
     """Dumps and tables with many steps in one file. Those that cannot be cut must not be there, as
     LAMMPS would write over them."""
-    names = set()
+    names, dump = set(), r"(?:^|\")\s*dump\s+\S+\s+\S+\s+(\S+)\s+\S+\s+([^\s\"]+)"
     for line in lines:
-        for style, name in re.findall(r"(?:^|\")\s*dump\s+\S+\s+\S+\s+(\S+)\s+\S+\s+([^\s\"]+)", line):
+        for style, name in re.findall(dump, line):
             if style in ("custom", "local", "atom") and not name.endswith((".gz", ".zst", ".bin")):
                 names.add(name)
             elif "*" not in name and "$" not in name and list(Path().glob(name.replace("%", "*"))):
-                stop(f"{name} would be written over, and it is not a text dump that can be cut: rename it")
+                stop(f"{name} would be written over, and it is not a text dump that can be cut: "
+                     "rename it")
         if re.search(r"(?:^|\")\s*fix\s", line):
             names.update(re.findall(r"\s(?:file|append)\s+([^\s\"]+)", line))
     return [Path(name) for name in sorted(names) if not set(name) & set("*%$")]
 
 
 def frames(path):
-    """The step and the place in the file of each frame of a dump, row of a table, or row of a table in
-    a log. A step that was not written to the end is None."""
+    """The step and the place in the file of each frame of a dump, row of a table, or row of a table
+    in a log. A step that was not written to the end is None."""
     with open(path, "rb") as file:
         dump = file.read(5) == b"ITEM:"
         file.seek(0)
-        yield from dump_frames(file) if dump else rows(file, path.name.removesuffix(".before") == LOG)
+        log = path.name.removesuffix(".before") == LOG
+        yield from dump_frames(file) if dump else rows(file, log)
 
 
 def dump_frames(file):

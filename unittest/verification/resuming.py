@@ -15,7 +15,7 @@ from resume import newest, restart_step
 from tmsph_testing import ALONE, read_thermo
 
 ROOT = Path(__file__).resolve().parents[2]
-TIMES = {"v_remain", "remaining_s", "cpu", "elapsed_s"}    # columns of the log that tell of the clock
+TIMES = {"v_remain", "remaining_s", "cpu", "elapsed_s"}    # columns of the log: the clock
 PATIENCE = 600
 
 

@@ -69,7 +69,8 @@ def torn(report, place):
     files[0].write_bytes(older.read_bytes())
     files[1].write_bytes(whole[:-1])
     step, path = newest(files, 0)
-    report.true("torn restart file", (step, path) == (2400, files[1]), "the older one, named second")
+    report.true("torn restart file", (step, path) == (2400, files[1]),
+                "the older one, named second")
     try:
         newest(files, time.time_ns() + 10**9)
         report.true("restart file of an earlier run", False, "refused")
@@ -81,19 +82,19 @@ def wrong(report):
     """What cannot go on says so in one line; names with variables are taken from the log."""
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder)
-        (place / "in.x").write_text("variable n index a\nrestart 5 ${n}.1 ${n}.2\nread_restart ${resume}\n"
-                                    "dump p all xyz 5 x.xyz\n")
+        (place / "in.x").write_text("variable n index a\nrestart 5 ${n}.1 ${n}.2\n"
+                                    "read_restart ${resume}\ndump p all xyz 5 x.xyz\n")
         (place / "in.latin").write_bytes(b"# heated to 260 \xb0C\n")
         (place / "log.lammps").write_text("restart 5 ${n}.1 ${n}.2\nrestart 5 a.1 a.2\n")
         lines = commands((place / "in.x").read_text() + (place / "log.lammps").read_text())
-        report.true("restart files named with variables", [str(p) for p in restart_files(lines)] == ["a.1", "a.2"],
-                    "found in the log")
+        report.true("restart files named with variables", restart_files(lines) == [Path("a.1"),
+                    Path("a.2")], "found in the log")
 
         def refused(name, words, **environment):
-            done = subprocess.run([sys.executable, ROOT / "tools/resume.py", name], cwd=folder, text=True,
-                                  capture_output=True, env=dict(os.environ, **environment))
-            report.true(words, done.returncode == 1 and words in done.stderr and done.stderr.count("\n") == 1,
-                        done.stderr.strip())
+            done = subprocess.run([sys.executable, ROOT / "tools/resume.py", name], cwd=folder,
+                                  text=True, capture_output=True, env={**os.environ, **environment})
+            report.true(words, done.returncode == 1 and words in done.stderr
+                        and done.stderr.count("\n") == 1, done.stderr.strip())
 
         refused("nowhere", "cannot read nowhere")
         refused("in.latin", "does not tell how to go on")
