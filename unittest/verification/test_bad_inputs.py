@@ -6,33 +6,21 @@ import re
 import struct
 
 from tmsph_testing import *
+from wrong_inputs import ROCK, complaints, cube, plate, script, tells
 
 # A small scene that works, in sections; a case replaces some of them
 
-PLATE = {
-    "space": "units si\ndimension 2\nboundary s s p",
-    "style": "atom_style tmsph",
-    "box": "lattice sq 1e-6\nlattice custom 1e-3 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0\n"
-           "region box block 0 8e-3 0 8e-3 -0.5e-3 0.5e-3 units box\ncreate_box 2 box",
-    "atoms": "create_atoms 1 box\nregion right block 4.5e-3 INF INF INF INF INF units box\n"
-             "set region right type 2",
-    "volume": "set group all volume 1e-6",
-    "pair": "pair_style tmsph 3.015e-3",
-    "coeff": "pair_coeff * * elastic 40e9 0.3 density 2700 expansion 1e-5",
-    "fix": "fix 1 all nve\ntimestep 1e-8",
-    "break": "fix hb all tmsph/hoekbrown strength * 150e6 mi * 8",
-    "more": "",
-    "run": "run 10",
-    "after": "",
-}
-CUBE = dict(
-    PLATE,
-    space="units si\ndimension 3\nboundary s s s",
-    box="lattice sc 1e-3\nlattice custom 1e-3 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0\n"
-        "region box block 0 5e-3 0 5e-3 0 5e-3 units box\ncreate_box 2 box",
-    volume="set group all volume 1e-9")
-PERIODIC = dict(PLATE, space="units si\ndimension 2\nboundary p p p",
-                fix="fix 1 all nve\ntimestep 1e-8")
+PLATE = plate(
+    8, 8, 4.5,
+    pair="pair_style tmsph 3.015e-3",
+    coeff=ROCK,
+    fix="fix 1 all nve\ntimestep 1e-8",
+    **{"break": "fix hb all tmsph/hoekbrown strength * 150e6 mi * 8"},
+    more="",
+    run="run 10",
+    after="")
+CUBE = cube(PLATE)
+PERIODIC = dict(PLATE, space="units si\ndimension 2\nboundary p p p")
 NAN = "variable nan atom (1e308*10)-(1e308*10)\n"
 NO_BOX = dict(box="", atoms="read_data cloud.data")
 DATA = """cloud
@@ -515,10 +503,9 @@ def check(report, scene, changes, words):
     files = {"cloud.data": changes["files"]} if "files" in changes else {}
     sections = dict(scene, **changes)
     sections.pop("files", None)
-    run = Script("\n".join(sections.values()), files).run(may_fail=True)
-    errors = [line for line in run.log.splitlines() if line.startswith("ERROR")]
-    pattern = ".*".join(re.escape(word) for word in words.split("|"))
-    good = len(errors) == 1 and 0 < run.status < 128 and re.search(pattern, errors[0])
+    run = script(sections, files).run(may_fail=True)
+    errors = complaints(run, "ERROR")
+    good = 0 < run.status < 128 and tells(errors, words)
     changed = "; ".join(text for key, text in changes.items() if key != "files").replace("\n", "; ")
     said = errors[0].partition("(/")[0] if len(errors) == 1 else f"{len(errors)} errors"
     report.true(changed, good, f"{said}, status {run.status}" if not good else said)
@@ -527,20 +514,19 @@ def check(report, scene, changes, words):
 def equal_ids(report):
     """A data file that gives the particles of two corners the same id, on any number of
     processors."""
-    data = Script("\n".join(dict(PLATE, run="run 0\n"
-                                            "write_data out.data").values())).run(keep="out.data")
+    data = script(dict(PLATE, run="run 0\nwrite_data out.data")).run(keep="out.data")
     lines = data.kept["out.data"].decode().split("Velocities")[0].splitlines()
     lines = ["64" + line[1:] if re.match("1 1 ", line) else line for line in lines]
     wrong = {"cloud.data": "\n".join(lines) + "\n"}
     scene = dict(PLATE, volume="", **NO_BOX)
     for ranks in (1, 3):
-        run = Script("\n".join(scene.values()), wrong).run(ranks, may_fail=True)
-        errors = [line for line in run.log.splitlines() if line.startswith("ERROR")]
+        run = script(scene, wrong).run(ranks, may_fail=True)
+        errors = complaints(run, "ERROR")
         report.true(f"two particles with the same id, {ranks} processes",
                     len(errors) == 1 and re.search("have the id 64:.*reset_atoms id", errors[0])
                     and 0 < run.status < 128, errors[:1])
         scene["atoms"] = NO_BOX["atoms"] + "\nreset_atoms id"
-        run = Script("\n".join(scene.values()), wrong).run(ranks)
+        run = script(scene, wrong).run(ranks)
         report.true("and its remedy", run.thermo("Step")[-1] == 10, "a run of 10 steps")
         scene["atoms"] = NO_BOX["atoms"]
 
@@ -550,7 +536,7 @@ def other_versions(report):
     fixes = "\n".join([CONTACT, LINE, CONDUCTS, HB])
     scene = dict(PLATE, run="run 1\nwrite_restart r", more=fixes)
     scene["break"] = ""
-    data = Script("\n".join(scene.values())).run(keep="r").kept["r"]
+    data = script(scene).run(keep="r").kept["r"]
     formats = [struct.pack("<d", number) for number in (2.0, 3.0)]
     places = [at for at in range(4, len(data) - 8) if data[at:at + 8] in formats
               and struct.unpack("<i", data[at - 4:at])[0] in range(24, 1000, 8)]
@@ -560,7 +546,7 @@ def other_versions(report):
                                                            for at in places]:
         file = data[:at] + other + data[at + len(other):]
         run = Script("read_restart r\n" + fixes + "\nrun 1", {"r": file}).run(may_fail=True)
-        errors = [line for line in run.log.splitlines() if line.startswith("ERROR")]
+        errors = complaints(run, "ERROR")
         named = re.search("written by another version of (.*): continue with that version", run.log)
         if len(errors) == 1 and named and 0 < run.status < 128:
             refused[at] = named[1]
@@ -572,7 +558,7 @@ def other_versions(report):
 
 
 report = Report()
-works = [Script("\n".join(scene.values())).run() for scene in (PLATE, CUBE, PERIODIC)]
+works = [script(scene).run() for scene in (PLATE, CUBE, PERIODIC)]
 report.true("the scenes work unchanged", all(run.thermo("Step")[-1] == 10 for run in works),
             "a run of 10 steps")
 for case in CASES:

@@ -3,37 +3,24 @@
 that names the mistake and its remedy, and with that remedy the line is gone. Wrong grammar is in
 test_bad_inputs.py."""
 
-import re
-
-from tmsph_testing import Report, Script
+from tmsph_testing import Report
+from wrong_inputs import ROCK, complaints, cube, plate, script, tells
 
 # A plate of two rocks that is heated evenly and may break; with nothing to complain about
 
-PLATE = {
-    "space": "units si\ndimension 2\nboundary s s p",
-    "style": "atom_style tmsph",
-    "skin": "neighbor 1e-3 bin",
-    "box": "lattice custom 1e-3 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0\n"
-           "region box block 0 15e-3 0 9e-3 -0.5e-3 0.5e-3 units box\ncreate_box 2 box",
-    "atoms": "create_atoms 1 box\nregion right block 7.5e-3 INF INF INF INF INF units box\n"
-             "set region right type 2",
-    "volume": "set group all volume 1e-6",
-    "pair": "pair_style tmsph 3.015e-3 viscosity 1 2",
-    "coeff": "pair_coeff * * elastic 40e9 0.3 density 2700 expansion 1e-5",
-    "break": "fix rock all tmsph/hoekbrown strength * 150e6 mi * 8",
-    "heat": "variable T equal 0.02*step\nfix heat all tmsph/heat/boundary temperature v_T",
-    "fix": "fix move all nve",
-    "dt": "timestep 5e-8",
-    "more": "",
-    "run": "run 10",
-    "after": "",
-}
-CUBE = dict(
-    PLATE,
-    space="units si\ndimension 3\nboundary s s s",
-    box="lattice sc 1\nlattice custom 1e-3 a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0 0 0\n"
-        "region box block 0 5e-3 0 5e-3 0 5e-3 units box\ncreate_box 2 box",
-    volume="set group all volume 1e-9")
+PLATE = plate(
+    15, 9, 7.5,
+    skin="neighbor 1e-3 bin",
+    pair="pair_style tmsph 3.015e-3 viscosity 1 2",
+    coeff=ROCK,
+    **{"break": "fix rock all tmsph/hoekbrown strength * 150e6 mi * 8"},
+    heat="variable T equal 0.02*step\nfix heat all tmsph/heat/boundary temperature v_T",
+    fix="fix move all nve",
+    dt="timestep 5e-8",
+    more="",
+    run="run 10",
+    after="")
+CUBE = cube(PLATE)
 ELASTIC = dict(PLATE, heat="", **{"break": ""})
 CONDUCTS = "fix conduct all tmsph/heat conductivity * 2.9 specific/heat * 850 "
 KELVIN = dict(PLATE, coeff=PLATE["coeff"] + " reference 293", heat="set group all temperature 20")
@@ -236,29 +223,24 @@ ON_THREE = ["horizon in spacings", "horizon of 1.2 spacings",
             "wall on its wrong side", "group before the particles"]
 
 
-def complaints(run):
-    return [line for line in run.log.splitlines() if line.startswith(("ERROR", "WARNING"))]
-
-
 def check(report, name, scene, wrong, remedy, words, ranks=1):
     sections = dict(scene, **wrong)
-    run = Script("\n".join(sections.values())).run(ranks, may_fail=True, timeout=60)
+    run = script(sections).run(ranks, may_fail=True, timeout=60)
     said = complaints(run)
-    pattern = ".*".join(re.escape(word) for word in words.split("|"))
     ended = run.status is not None and 0 <= run.status < 128
-    good = ended and len(said) == 1 and re.search(pattern, said[0])
+    good = ended and tells(said, words)
     report.true(name, good,
                 said[0].partition(" (src/")[0] if good else f"{said}, status {run.status}")
     if ranks > 1:
         return
-    mended = Script("\n".join(dict(sections, **remedy).values())).run(may_fail=True, timeout=60)
+    mended = script(dict(sections, **remedy)).run(may_fail=True, timeout=60)
     report.true("  and its remedy", mended.status == 0 and not complaints(mended),
                 complaints(mended) or "nothing is said")
 
 
 report = Report()
 for scene in (PLATE, CUBE):
-    run = Script("\n".join(scene.values())).run()
+    run = script(scene).run()
     report.true("the scenes work unchanged", not complaints(run),
                 complaints(run) or "nothing is said")
 for mistake in MISTAKES:
