@@ -1,6 +1,7 @@
 // TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 // Forces of a contact and the moments that bonds have to balance are the derivatives of its energy,
-// by the positions and by the gradients of both ends: so they neither make energy nor angular momentum.
+// by the positions and by the gradients of both ends: so they neither make energy nor angular
+// momentum.
 
 #include "tmsph_contact_pair.h"
 
@@ -30,7 +31,8 @@ template <int D> using Square = Eigen::Matrix<double, D, D, Eigen::RowMajor>;
 
 /// a pair that is pressed and has slipped; the high end is at x, the low end has the gradient F
 template <int D>
-ContactState<D> state(const ContactPair &pair, const Vector<D> &x, const Square<D> &F, bool high_bears)
+ContactState<D> state(const ContactPair &pair, const Vector<D> &x, const Square<D> &F,
+                      bool high_bears)
 {
   static constexpr double REST[9] = {};
   const Square<D> H = F - Square<D>::Identity();
@@ -100,8 +102,8 @@ TEST_F(ContactCouples, DerivativesOfTheEnergyInThePlane)
     derivative<2>(Eigen::Matrix2d::Identity() + random<2, 2>(0.1));
 }
 
-// In 3-D the tangents turn by the polar decomposition, whose rate is the skew part of the gradient's
-// where the surface is not stretched.
+// In 3-D the tangents turn by the polar decomposition, whose rate is the skew part of the
+// gradient's where the surface is not stretched.
 
 TEST_F(ContactCouples, DerivativesOfTheEnergyInSpace)
 {

@@ -97,7 +97,8 @@ TYPED_TEST(Elasticity, stress_is_the_gradient_of_the_energy)
     for (int k = 0; k < 20; k++) {
       const Square<D> H = random_matrix<D>(this->engine, 0.1);
       check(StVenantKirchhoff(), H, thermal, 5.0);
-      check(NeoHookean(), H, thermal, 50.0);    // J may fall to 1/2: third derivatives up to 2 mu/J^3
+      // J may fall to 1/2: third derivatives up to 2 mu/J^3
+      check(NeoHookean(), H, thermal, 50.0);
     }
 }
 
@@ -178,10 +179,12 @@ TYPED_TEST(Elasticity, neo_hookean_is_its_definition)
     const Square<D> T = F.transpose().inverse();
     const double J = F.determinant();
     const Square<D> P = (shear * (F - T) + 0.5 * lambda * (J * J - 1.0) * T) / (1.0 + thermal);
-    EXPECT_LT((this->template first_piola_of<NeoHookean>(H, thermal) - P).norm(), 1e-14 * 10 * YOUNG);
+    EXPECT_LT((this->template first_piola_of<NeoHookean>(H, thermal) - P).norm(),
+              1e-14 * 10 * YOUNG);
     const double energy = 0.5 * shear * ((F.transpose() * F).trace() - D) - shear * std::log(J) +
         0.25 * lambda * (J * J - 1.0 - 2.0 * std::log(J));
-    EXPECT_NEAR(NeoHookean::energy(plain<D>(H), lambda, shear, thermal), energy, 1e-14 * 10 * YOUNG);
+    EXPECT_NEAR(NeoHookean::energy(plain<D>(H), lambda, shear, thermal), energy,
+                1e-14 * 10 * YOUNG);
   }
 }
 

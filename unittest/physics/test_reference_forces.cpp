@@ -113,7 +113,8 @@ struct Scene {
       } else
         ADD_FAILURE() << "unknown keyword " << word;
     }
-    if (!std::holds_alternative<StVenantKirchhoff>(on.law) || plane == Plane::STRESS) dilatation = Dilatation::PLAIN;
+    if (!std::holds_alternative<StVenantKirchhoff>(on.law) || plane == Plane::STRESS)
+      dilatation = Dilatation::PLAIN;
     on.thermal = strain ? ThermalStrain::CONSTITUTIVE : ThermalStrain::BOND;
     on.hourglass = hourglass > 0.0;
     viscosity.smoothing_length = horizon / support_in_smoothing_lengths(kernel);

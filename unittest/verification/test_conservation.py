@@ -11,8 +11,8 @@ SPACING = 1e-3
 MATERIALS = [material(40e9, 0.3, 2700, 1.5e-5), material(10e9, 0.2, 2000, -3e-5)]
 SOFT = [material(40e9, 0.49, 2700, 1.5e-5), material(10e9, 0.45, 2000, -3e-5)]
 CLOUDS = {"2-D": ("square", (16, 14)), "3-D": ("sc", (8, 7, 6))}
-OPTIONS = ["", "hourglass 0", "thermal strain", "law almansi", "law neohookean", "kernel cubic", "kernel quintic",
-           "plane stress"]
+OPTIONS = ["", "hourglass 0", "thermal strain", "law almansi", "law neohookean", "kernel cubic",
+           "kernel quintic", "plane stress"]
 
 
 def disturbed(dimension, options, viscous, materials):

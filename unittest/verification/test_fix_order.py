@@ -138,15 +138,19 @@ def held(dimension, more=""):
     top = {2: 5, 3: 4}[dimension] - 1.1
 
     def make(seed):
-        low = " ".join(["INF INF"] * (dimension - 1) + [f"{top * SPACING} INF"] + ["INF INF"] * (3 - dimension))
-        scene = blocks(dimension).add(f"region above block {low} units box\ngroup above region above\n"
+        low = " ".join(["INF INF"] * (dimension - 1) + [f"{top * SPACING} INF"]
+                       + ["INF INF"] * (3 - dimension))
+        velocity = " ".join(speed[:dimension] + ["NULL"] * (3 - dimension))
+        scene = blocks(dimension).add(f"region above block {low} units box\n"
+                                      "group above region above\n"
                                       "group low type 1\ngroup top intersect above low\n"
-                                      f"velocity high set {' '.join(speed[:dimension] + ['NULL'] * (3 - dimension))}")
+                                      f"velocity high set {velocity}")
         fixes = ["fix hold top setforce 0 0 0", "fix touch all tmsph/contact friction * * 0.4",
                  "fix drag all viscous 1e-9"] + ([more] if more else [])
         order = [fixes[0], fixes[1], fixes[2]] if seed % 2 else [fixes[1], fixes[2], fixes[0]]
         scene.add("\n".join(order + fixes[3:]))
-        scene.add("compute f all reduce sum fx fy fz\ncompute all all reduce sum vx vy vz\ncompute v top reduce maxabs vx vy vz")
+        scene.add("compute f all reduce sum fx fy fz\ncompute all all reduce sum vx vy vz\n"
+                  "compute v top reduce maxabs vx vy vz")
         return scene.thermo("step f_touch[8] f_hold[*] c_f[*] c_v[*] c_all[*]", 20).add("run 100")
     return make
 
@@ -155,12 +159,15 @@ def stays(report, dimension):
     """What fix setforce holds does not move under contact; the fix tells the whole force on it."""
     table = outcome(held(dimension)(1))[0].tables[-1]
     columns = lambda name: np.array([table[f"{name}[{k}]"] for k in (1, 2, 3)])
-    report.true(f"{dimension}-D: the held rows are touched", table["f_touch[8]"][-1] > 0, "so that they could move")
+    report.true(f"{dimension}-D: the held rows are touched", table["f_touch[8]"][-1] > 0,
+                "so that they could move")
     report.true(f"{dimension}-D: held rows stay", not columns("c_v").any(), "exactly")
     whole = np.abs(columns("f_hold") + columns("c_f") + 1e-9 * columns("c_all")).max()
-    report.below(f"{dimension}-D: force of fix setforce less that on all particles, and the drag", whole / np.abs(columns("f_hold")).max(), 1e-10)
+    report.below(f"{dimension}-D: force of fix setforce less that on all particles, and the drag",
+                 whole / np.abs(columns("f_hold")).max(), 1e-10)
     pushed = outcome(held(dimension, "fix push top addforce 1 0 0")(1))[0].tables[-1]
-    report.true(f"{dimension}-D: a force after it acts", (pushed["c_v[1]"][1:] > 0).all(), "as in LAMMPS")
+    report.true(f"{dimension}-D: a force after it acts", (pushed["c_v[1]"][1:] > 0).all(),
+                "as in LAMMPS")
 
 
 report = Report()

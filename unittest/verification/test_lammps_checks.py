@@ -77,8 +77,9 @@ def lists(folder):
                             "-s", sources)]
     if not any("Found 1 packages" in line for line in said):
         return ["the checks did not see the package:"] + said[-5:]
-    wrong = re.compile(r"(is missing|missing in|^Missing '|^Have ').*tmsph|tmsph.*(is missing|missing "
-                       r"in)|\[Error\]|Traceback", re.I)    # of LAMMPS's own pages they say things too
+    # of LAMMPS's own pages they say things too
+    wrong = re.compile(r"(is missing|missing in|^Missing '|^Have ').*tmsph|"
+                       r"tmsph.*(is missing|missing in)|\[Error\]|Traceback", re.I)
     return [line for line in said if wrong.search(line) and not line.startswith(INTERNAL)]
 
 

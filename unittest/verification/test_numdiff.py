@@ -11,7 +11,8 @@ CASES = [("square", (10, 10), "", ""), ("hex", (10, 6), "plane stress kernel cub
          ("square", (10, 10), "thermal strain", ""), ("square", (9, 9), "", "xy"),
          ("sc", (6, 5, 5), "", ""), ("sc", (7, 7, 7), "hourglass 0.3", "z"),
          ("fcc", (3, 3, 3), "thermal strain kernel quintic", ""),
-         ("hex", (10, 6), "law neohookean", ""), ("sc", (6, 5, 5), "law neohookean thermal strain", "")]
+         ("hex", (10, 6), "law neohookean", ""),
+         ("sc", (6, 5, 5), "law neohookean thermal strain", "")]
 # nearly incompressible: bonds across the interface have a coupling of their own; each material
 # next to the other and next to one that is not
 SOFT = [[material(40e9, 0.49, 2700, 1.5e-5), material(10e9, 0.45, 2000, -3e-5)],

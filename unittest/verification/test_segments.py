@@ -123,8 +123,9 @@ if __name__ == "__main__":
         report.below(f"half the time step, method segment: change of {name}",
                      abs(half[k] / one[k] - 1), 0.005)
     for method in ("kernel", "segment"):
+        # the bar is that of the others
         report.above(f"law paper, method {method}: scatter of the normal force",
-                     figures(drawn(10, 14, f"method {method} law paper"))[2], 0.01)    # bar of the others
+                     figures(drawn(10, 14, f"method {method} law paper"))[2], 0.01)
     if sys.argv[1:] == ["all"]:
         print("method, law, time step, viscosity: normal force/load, friction/normal force, "
               "scatter")

@@ -2,8 +2,8 @@
 """A small body in the middle of a periodic box, and the same across a face, an edge and a corner of
 it: in one run and in three, with a restart in between, on other processors, balanced, with other
 image flags and new ids. All fields of all particles and what fixes tell agree to 1e-9 of the
-largest, damage too. A body slides through the boundary on walls as long as the box, and longer. With
-names of features as arguments only these, in all ways at all places."""
+largest, damage too. A body slides through the boundary on walls as long as the box, and longer.
+With names of features as arguments only these, in all ways at all places."""
 
 from tmsph_testing import *
 
@@ -42,7 +42,8 @@ class Body:
         self.cloud, self.dimension = cloud, dimension
 
     def at(self, *spacings):
-        """Words for a place, in spacings from the lower corner of the body, perhaps outside of the box."""
+        """Words for a place, in spacings from the lower corner of the body, perhaps outside of the
+        box."""
         return " ".join(f"{x:.17g}" for x in self.corner + np.array(spacings) * SPACING)
 
 
@@ -73,7 +74,8 @@ class Breaking(Feature):
     told = "f_rock f_rock[1] f_rock[2] f_rock[5]"
 
     def fixes(self, body):
-        return "fix move all nve\nfix rock all tmsph/hoekbrown strength * 90e6 mi * 10 weibull * 10 4711"
+        return ("fix move all nve\n"
+                "fix rock all tmsph/hoekbrown strength * 90e6 mi * 10 weibull * 10 4711")
 
 
 class Averaged(Feature):
@@ -87,7 +89,8 @@ class Contact(Feature):
     told = "f_touch[1] f_touch[2] f_touch[3] f_touch[7] f_touch[8] f_touch[9] f_touch[10] f_rock"
 
     def fixes(self, body):
-        return ("fix move all nve\nfix rock all tmsph/hoekbrown strength * 90e6 mi * 10 weibull * 10 4711\n"
+        return ("fix move all nve\n"
+                "fix rock all tmsph/hoekbrown strength * 90e6 mi * 10 weibull * 10 4711\n"
                 "fix touch all tmsph/contact friction * * 0.4 self yes")
 
     def flaw(self, body):
@@ -102,7 +105,8 @@ class Segments(Contact):
     told = "f_touch[1] f_touch[2] f_touch[7] f_touch[8] f_touch[9] f_touch[10]"
 
     def fixes(self, body):
-        return "fix move all nve\nfix touch all tmsph/contact friction * * 0.4 method segment self no"
+        return ("fix move all nve\n"
+                "fix touch all tmsph/contact friction * * 0.4 method segment self no")
 
     def flaw(self, body):
         return ""
@@ -117,19 +121,26 @@ class Walls(Feature):
                     for k in (1, 2, 3, 7, 8, 9, 11))
 
     def fixes(self, body):
-        at, wide, right, top = body.at, BOX[body.dimension], CELLS[body.dimension][0], CELLS[body.dimension][-1]
+        at, wide, cells = body.at, BOX[body.dimension], CELLS[body.dimension]
+        right, top = cells[0], cells[-1]
         if body.dimension == 2:
-            walls = (f"floor all tmsph/wall line {at(-wide, -0.05)} {at(2 * wide, -0.05)} friction 0.3",
-                     f"plate all tmsph/wall polyline 3 {at(3 + wide, top + 0.05)} {at(6, top + 0.5)} "
-                     f"{at(3, top + 0.05)} velocity 3 -80 friction 0.5",
-                     f"jaw all tmsph/wall line {at(right + 0.05, -2)} {at(right + 0.05, top + 2)} load -1e5 0 mass 1e-3",
-                     f"hill all tmsph/wall arc {at(-3.02, 3.9)} {3 * SPACING:.17g} 100 -100 side both "
-                     f"velocity 60 0 rotation {at(-2.9, 4.1)} 2000 friction 0.2")
+            walls = (f"floor all tmsph/wall line {at(-wide, -0.05)} {at(2 * wide, -0.05)} "
+                     "friction 0.3",
+                     f"plate all tmsph/wall polyline 3 {at(3 + wide, top + 0.05)} "
+                     f"{at(6, top + 0.5)} {at(3, top + 0.05)} velocity 3 -80 friction 0.5",
+                     f"jaw all tmsph/wall line {at(right + 0.05, -2)} {at(right + 0.05, top + 2)} "
+                     "load -1e5 0 mass 1e-3",
+                     f"hill all tmsph/wall arc {at(-3.02, 3.9)} {3 * SPACING:.17g} 100 -100 "
+                     f"side both velocity 60 0 rotation {at(-2.9, 4.1)} 2000 friction 0.2")
         else:
-            walls = (f"floor all tmsph/wall plane {at(0, 0, -0.05)} 0 0 1 velocity 0 0 30 friction 0.3",
-                     f"plate all tmsph/wall plane {at(0, 0, top + 0.05)} 0 0 -1 velocity 3 2 -8 friction 0.5",
-                     f"jaw all tmsph/wall plane {at(right + 0.05, 0, 0)} -1 0 0 load -1 0 0 mass 1e-6",
-                     f"hill all tmsph/wall plane {at(0, -0.05, 0)} 0 1 0 side both friction 0.2 velocity v_in 4 0")
+            walls = (f"floor all tmsph/wall plane {at(0, 0, -0.05)} 0 0 1 velocity 0 0 30 "
+                     "friction 0.3",
+                     f"plate all tmsph/wall plane {at(0, 0, top + 0.05)} 0 0 -1 velocity 3 2 -8 "
+                     "friction 0.5",
+                     f"jaw all tmsph/wall plane {at(right + 0.05, 0, 0)} -1 0 0 load -1 0 0 "
+                     "mass 1e-6",
+                     f"hill all tmsph/wall plane {at(0, -0.05, 0)} 0 1 0 side both friction 0.2 "
+                     "velocity v_in 4 0")
         return "variable in equal 3*sin(1e7*time)\nfix move all nve\nfix " + "\nfix ".join(walls)
 
 
@@ -145,10 +156,11 @@ class Heat(Feature):
         ball = "sphere" if body.dimension == 3 else "cylinder z"
         middle = body.at(*(0.5 * np.array(CELLS[body.dimension])))
         ends = "" if body.dimension == 3 else " INF INF"
-        return (f"region ball {ball} {middle} {3.7 * SPACING:.17g}{ends} units box\nfix move all nve\n"
+        return (f"region ball {ball} {middle} {3.7 * SPACING:.17g}{ends} units box\n"
+                "fix move all nve\n"
                 "fix touch all tmsph/contact friction * * 0.4\n"
-                "fix heat all tmsph/heat conductivity * 3 specific/heat 1 850 specific/heat 2 700 time/scale 1e4 "
-                "contact * * 2000 friction yes\n"
+                "fix heat all tmsph/heat conductivity * 3 specific/heat 1 850 specific/heat 2 700 "
+                "time/scale 1e4 contact * * 2000 friction yes\n"
                 "fix warm some tmsph/heat/boundary temperature 200 place surface region ball\n"
                 "fix lost all tmsph/heat/boundary convection 5000 20 cracks yes")
 
@@ -173,7 +185,8 @@ class Quasistatic(Minimum):
 
     def fixes(self, body):
         return ("variable T equal 25*step\nfix warm all tmsph/heat/boundary temperature v_T\n"
-                f"fix rock all tmsph/hoekbrown strength * {200 if body.dimension == 2 else 330}e6 mi * 10\n"
+                f"fix rock all tmsph/hoekbrown strength * {200 if body.dimension == 2 else 330}e6 "
+                "mi * 10\n"
                 "fix hold held setforce 0 0 0")
 
     def steps(self, part):    # as short as can be: they do not depend on what a run knows
@@ -188,9 +201,11 @@ def again(feature, body, script):
     axes = "xyz"[: body.dimension]
     words = [f"s{a}{b}" for k, a in enumerate(axes) for b in axes[k:]] + [f"u{a}" for a in axes]
     return script.add(
-        feature.fixes(body) + f"\ntimestep 4e-8\ncompute p all tmsph/property/atom {' '.join(words)} "
+        f"{feature.fixes(body)}\ntimestep 4e-8\n"
+        f"compute p all tmsph/property/atom {' '.join(words)} "
         f"temperature damage\ncompute r all tmsph/property/atom {' '.join(a + '0' for a in axes)}\n"
-        f"thermo_style custom step {feature.told}\nthermo_modify norm no format float %.17g\nthermo 1000000")
+        f"thermo_style custom step {feature.told}\nthermo_modify norm no format float %.17g\n"
+        "thermo 1000000")
 
 
 def start(feature, body, first="", images=""):
@@ -200,7 +215,8 @@ def start(feature, body, first="", images=""):
     scene.set("vx vy vz"[: 3 * body.dimension - 1], body.velocity)
     if not feature.bonded:
         scene.add("pair_coeff 1 2 none")
-    return again(feature, body, scene.add(feature.groups(body) + "\n" + images)).add(feature.flaw(body))
+    scene.add(feature.groups(body) + "\n" + images)
+    return again(feature, body, scene).add(feature.flaw(body))
 
 
 def end(feature, script, ranks=1):
@@ -220,8 +236,8 @@ def three(feature, body):
 
 
 def restarted(feature, body):
-    scene = start(feature, body)
-    kept = scene.add(feature.steps(1)).add(feature.steps(2)).add("write_restart r").run(keep="r").kept
+    scene = start(feature, body).add(feature.steps(1)).add(feature.steps(2))
+    kept = scene.add("write_restart r").run(keep="r").kept
     script = again(feature, body, Script(f"{GHOSTS}\nprocessors * 3 1\nread_restart r", kept))
     return end(feature, script.add(feature.steps(3)), 3)
 
@@ -231,7 +247,8 @@ def balanced(feature, body):
     return end(feature, scene.add(feature.steps(4)), 4)
 
 
-WAYS = {"in one run": one, "in three": three, "restarted on 3": restarted, "balanced on 4": balanced}
+WAYS = {"in one run": one, "in three": three, "restarted on 3": restarted,
+        "balanced on 4": balanced}
 CHOSEN = {"face": three, "edge": restarted, "corner": balanced}
 
 
@@ -245,7 +262,8 @@ def compare(report, name, run, middle, order=slice(None)):
     table = middle.tables[-1]
     for column in set(table) - {"Step"}:
         # a component of a force by the size of the force, or of what it is a sum of
-        alike = [column] + [f"{column[:-3]}[{k}]" for k in (1, 2, 3, 10) if column[-3:] in ("[1]", "[2]", "[3]")]
+        alike = [column] + [f"{column[:-3]}[{k}]" for k in (1, 2, 3, 10)
+                            if column[-3:] in ("[1]", "[2]", "[3]")]
         scale = max(abs(table[c][-1]) for c in alike if c in table)
         if scale > 0:
             worst[column] = abs(run.thermo(column)[-1] - middle.thermo(column)[-1]) / scale
@@ -261,7 +279,8 @@ def shifted(report, kind, everything):
             body = Body(d, np.array(shift))
             for way, run in WAYS.items():
                 if everything or run is CHOSEN[where]:
-                    compare(report, f"{d}-D, {kind.__doc__}, {where}, {way}", run(feature, body), middle)
+                    compare(report, f"{d}-D, {kind.__doc__}, {where}, {way}", run(feature, body),
+                            middle)
 
 
 def renumbered(report):
@@ -273,7 +292,8 @@ def renumbered(report):
         scene = start(feature, body).add(feature.steps(1)).add("reset_atoms id sort yes")
         run = end(feature, scene.add(feature.steps(5)))
         words = " ".join(f"c_r[{k + 1}]" for k in range(d))
-        X, Y = run.frame("r")(words), middle.frame("r")(words) + body.corner - Body(d, np.zeros(d)).corner
+        X, Y = run.frame("r")(words), middle.frame("r")(words)
+        Y += body.corner - Body(d, np.zeros(d)).corner
         apart = X[None] - Y[:, None]
         apart = np.abs(apart - length * np.round(apart / length)).max(axis=2)
         order = apart.argmin(axis=1)
@@ -284,11 +304,12 @@ def renumbered(report):
 def refused(report):
     """Image flags that are changed in between are an error that says so."""
     feature = Averaged()
-    scene = start(feature, Body(2, np.array(PLACES[2]["face"]))).add("run 200\nrun 0\nset group all image 0 0 0\nrun 1")
+    scene = start(feature, Body(2, np.array(PLACES[2]["face"])))
+    scene.add("run 200\nrun 0\nset group all image 0 0 0\nrun 1")
     run = scene.run(may_fail=True)
     errors = [line for line in run.log.splitlines() if line.startswith("ERROR")]
-    report.true("image flags that are changed between runs", len(errors) == 1 and "set image" in errors[0],
-                "are one error")
+    report.true("image flags that are changed between runs",
+                len(errors) == 1 and "set image" in errors[0], "are one error")
 
 
 def slide(report, dimension, wall, friction):
@@ -305,20 +326,25 @@ def slide(report, dimension, wall, friction):
         scene = Scene(cloud, [material(4e6, 0.25 if dimension == 2 else 0.0)], "viscosity 1 2")
         down = "0 -1 0" if dimension == 2 else "0 0 -1"
         shape = wall if periodic or dimension == 3 else "line -0.1 0 0.2 0"
-        scene.add(f"fix g all gravity 100 vector {down}\nfix floor all tmsph/wall {shape} friction {friction}\n"
+        scene.add(f"fix g all gravity 100 vector {down}\n"
+                  f"fix floor all tmsph/wall {shape} friction {friction}\n"
                   "fix move all nve\nvelocity all set 5 0 NULL units box\ntimestep 3e-6\n"
-                  "variable vx equal vcm(all,x)\nvariable vn equal vcm(all,VN)\nvariable now equal time"
+                  "variable vx equal vcm(all,x)\nvariable vn equal vcm(all,VN)\n"
+                  "variable now equal time"
                   .replace("VN", "xyz"[dimension - 1]))
         scene.thermo(f"step v_vx v_vn v_now f_floor[{dimension}] f_floor[8]", 50)
         runs.append(scene.add("run 3000\nrun 1000").run())
     name = f"{dimension}-D, {wall}, friction {friction}"
-    here, there = ({c: np.concatenate([t[c] for t in run.tables]) for c in run.tables[0]} for run in runs)
+    here, there = ({c: np.concatenate([t[c] for t in run.tables]) for c in run.tables[0]}
+                   for run in runs)
     want = 5 - friction * (100 * here["v_now"] + here["v_vn"])
     report.below(f"{name}: error of the velocity", np.abs(here["v_vx"] - want).max() / 5,
                  1e-12 if dimension == 2 else BAR)
     touching = here["f_floor[8]"]    # at first the body, which is let go, bounces
-    report.true(f"{name}: particles that touch", np.array_equal(touching[1:], there["f_floor[8]"][1:])
-                and np.all(touching[-40:] == n ** (dimension - 1)), "as in a wide box, all in the end")
+    report.true(f"{name}: particles that touch",
+                np.array_equal(touching[1:], there["f_floor[8]"][1:])
+                and np.all(touching[-40:] == n ** (dimension - 1)),
+                "as in a wide box, all in the end")
     for column in ("v_vx", "v_vn", f"f_floor[{dimension}]"):
         report.below(f"{name}: {column} against a wide box",
                      np.abs(here[column] - there[column]).max() / np.abs(there[column]).max(), BAR)

@@ -195,7 +195,8 @@ class Scene(Script):
     def minimize(self, residual, iterations=20000, style="cg"):
         """Conjugate gradients down to a root mean square force on a particle."""
         norm = residual * len(self.cloud) ** 0.5
-        self.add(f"min_style {style}\nmin_modify line forcezero dmax {0.01 * self.cloud.spacing:.6g}\n"
+        self.add(f"min_style {style}\n"
+                 f"min_modify line forcezero dmax {0.01 * self.cloud.spacing:.6g}\n"
                  f"minimize 0 {norm:.6g} {iterations} {10 * iterations}")
         return self
 
@@ -217,7 +218,8 @@ def launcher_for(ranks):
 def lmp_command(script, folder, ranks, log="none"):
     """Command and environment that run a script on so many processes."""
     command = [os.environ["TMSPH_LMP"], "-in", script, "-log", log, "-nocite"]
-    # a folder each: Open MPI's runs that start and end at once take a shared one away from each other
+    # a folder each: Open MPI's runs that start and end at once take a shared one away from each
+    # other
     environment = dict(os.environ, OMP_NUM_THREADS="1", TMPDIR=str(folder))
     launcher = launcher_for(ranks)
     if launcher:
