@@ -9,7 +9,7 @@ The rim of the ring is held, and the ring damped: against a constant friction it
 from tmsph_testing import *
 
 INCLUSION, RADIUS, SPACING, HEATED, SLIP = 0.015, 0.030, 1e-3, 100.0, 5
-HEATING, TURNING = 3000, 36000    # steps
+HEATING, TURNING = 3000, 9000    # steps
 
 cells = (2 * int(RADIUS / SPACING) + 4, 2 * int(RADIUS / SPACING / 3**0.5) + 4)
 cloud = lattice("hex", cells, SPACING, centre=True)
