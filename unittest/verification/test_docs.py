@@ -2,10 +2,11 @@
 """The documentation agrees with the code: every style has a page with its sections,
 every keyword that a style reads is on its page, links lead somewhere, inputs, tools, tests and
 styles that pages name exist, and what can be run is run: the inputs of the Howto and of the
-tutorial, and the usage in the material sets."""
+tutorial, the usage in the material sets, and the skeletons for developers."""
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,6 +14,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE, PAGES, MATERIALS = ROOT / "src/TMSPH", ROOT / "doc/src", ROOT / "potentials"
+EIGEN = Path("/usr/include/eigen3")
 LMP = os.environ.get("TMSPH_LMP")
 
 COMMON = ["Syntax", "Examples", "Description", "Restrictions", "Related commands", "Default"]
@@ -145,7 +147,7 @@ def check_markdown(path):
         check((ROOT / target).exists(), f"{name} runs {target}, which does not exist")
     for target in re.findall(r"(?<![\w/])(?:\.\./)*(tools/\w+\.py)", text):
         check((ROOT / target).exists(), f"{name} names {target}, which does not exist")
-    for target in re.findall(r"(?<!\w)test_[a-z]\w+", text):
+    for target in re.findall(r"(?<!\w)test_[a-z]\w+\b(?!\()", text):
         check((ROOT / f"unittest/verification/{target}.py").exists() or target == "test_physics"
               or (ROOT / f"unittest/physics/{target}.cpp").exists(),
               f"{name} names {target}, no such test")
@@ -198,6 +200,48 @@ def check_howto():
     check(last and int(last[0]) > 0, "the disc of Howto_tmsph.rst does not crack")
 
 
+def check_recipe():
+    """The test that unittest/README.md shows how to write."""
+    text = (ROOT / "unittest/README.md").read_text()
+    block = re.search(r"^```python\n(.*?)^```", text, re.M | re.S)[1]
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "test_it.py").write_text(block)
+        done = subprocess.run([sys.executable, "test_it.py"], cwd=folder, text=True, timeout=600,
+                              capture_output=True,
+                              env={**os.environ, "PYTHONPATH": str(Path(__file__).parent)})
+    check(done.returncode == 0 and done.stdout.count("ok  ") == 2,
+          f"the test of unittest/README.md: {done.stdout}{done.stderr}")
+
+
+def check_developers():
+    """Files, functions, classes and constants that doc/developers.md names exist, and what it shows
+    in C++ compiles."""
+    text = (ROOT / "doc/developers.md").read_text()
+    known = {path.name for path in ROOT.rglob("*") if ".git" not in path.parts}
+    sources = [path for folder in (SOURCE, ROOT / "unittest/physics") for path in folder.iterdir()
+               if path.suffix in (".h", ".cpp")]
+    words = set(re.findall(r"\w+", "\n".join(path.read_text() for path in sources)))
+    blocks = re.findall(r"^```cpp\n(.*?)^```", text, re.M | re.S)
+    for name in re.findall(r"`([^`\n]+)`", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)):
+        file = re.fullmatch(r"(?:[\w/.]+/)?([\w.-]+\.(?:h|cpp|rst|py|patch|txt))", name)
+        if file:
+            check(file[1] in known or file[1] == "tmsph_tresca.h",
+                  f"doc/developers.md names {name}, no such file")
+        elif re.fullmatch(r"[A-Z]\w+|(\w+::)?\w+\([^)]*\)", name):
+            for word in re.findall(r"\w+", name.partition("(")[0]):
+                check(word in words, f"doc/developers.md names {name}, which is not in the code")
+    compiler = shutil.which("g++") or shutil.which("c++")
+    if not compiler or not EIGEN.exists():
+        print("no compiler or no Eigen: C++ of doc/developers.md not checked")
+        return
+    for block in blocks:
+        done = subprocess.run([compiler, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only",
+                               "-I", SOURCE, "-isystem", EIGEN, "-x", "c++", "-"],
+                              input=block, capture_output=True, text=True)
+        check(done.returncode == 0, f"C++ of doc/developers.md: {done.stderr}")
+    check(len(blocks) == 2, "doc/developers.md has other blocks of C++ than this test knows")
+
+
 BODY = """
 units si
 dimension 2
@@ -238,12 +282,14 @@ for page in sorted(PAGES.glob("*.rst")):
     check_page(page)
 check_styles()
 check_map_of_files()
-for page in [*sorted(ROOT.glob("*.md")), ROOT / "examples/README.md",
+check_developers()
+for page in [*sorted(ROOT.glob("*.md")), ROOT / "examples/README.md", ROOT / "unittest/README.md",
              *sorted((ROOT / "doc").glob("*.md")), *sorted((ROOT / "doc/report").glob("*.md"))]:
     check_markdown(page)
 if LMP:
     check_tutorial()
     check_howto()
+    check_recipe()
     check_materials()
 else:
     print("TMSPH_LMP is not set: nothing run")
