@@ -98,9 +98,10 @@ void FixTMSPHWall::move(double duration)
                                               : 0.5 * (before.velocity[a] + motion.velocity[a]));
   motion.angle += duration * 0.5 * (before.spin + motion.spin);
   const Point &v = before.velocity, &w = motion.velocity;
-  travel += duration * (std::sqrt(std::max(dot(v, v), dot(w, w))) +
-                          std::max(std::fabs(before.spin), std::fabs(motion.spin)) *
-                              (farthest + travel));
+  const double speed = std::sqrt(std::max(dot(v, v), dot(w, w)));
+  const double turn = std::max(std::fabs(before.spin), std::fabs(motion.spin));
+  travel += duration * (speed + turn * (farthest + travel));
+  way += duration * (speed + turn * (radius + way));
 }
 
 /* ---------------------------------------------------------------------- */

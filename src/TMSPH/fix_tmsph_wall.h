@@ -43,6 +43,7 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
   double memory_usage() override;
   bool has_ids() const override { return !memories.empty(); }
   void add_shares(std::vector<Share> &) override;
+  bool may_press() const override;
   int image(int *&, double **&) override;
 
   /// lines of two points in 2-D, triangles in 3-D, where the wall is now
@@ -123,6 +124,7 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
   bool warned;                                    // of a wall longer than that
   double skin, travel, farthest;                  // farthest: from the pivot, when they were listed
   int version;                                    // of the bonds when they were listed
+  double way, clearance, radius;                  // see measure_clearance()
   bool started;                                   // this or an earlier run has been set up
   std::vector<Touching> touching;
   std::vector<Fix *> prescribing;                 // that act after it
@@ -146,7 +148,8 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
   void find_periods();
   void list_candidates();
   Point position_of(int i) const;
-  void list_images(int i, double within);
+  void list_images(int i, double within, double &nearest);
+  void measure_clearance(double nearest);
   void follow();
   void to_image_near(const Point &x, Point &p) const;
   bool touch(const Candidate &, Touching &) const;

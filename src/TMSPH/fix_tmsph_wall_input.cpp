@@ -38,8 +38,8 @@ static constexpr double DEGREE = 3.14159265358979323846 / 180.0;
 FixTMSPHWall::FixTMSPHWall(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair(nullptr), law(CONTACT_LAWS[0]), friction(0.0), stiffness(1.0),
     both_sides(false), turns(false), is_free{}, mass(0.0), varies(false), repeats{}, middle{},
-    warned(false), skin(0.0), travel(0.0), farthest(0.0), version(-1), started(false), totals{},
-    energy(0.0)
+    warned(false), skin(0.0), travel(0.0), farthest(0.0), version(-1), way(0.0),
+    clearance(-HUGE_VAL), radius(0.0), started(false), totals{}, energy(0.0)
 {
   if (!atom->vfrac_flag || !atom->rmass_flag)
     error->all(FLERR, "Fix tmsph/wall needs an atom style with volume and mass: atom_style tmsph");

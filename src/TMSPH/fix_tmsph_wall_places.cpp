@@ -10,6 +10,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "neighbor.h"
 #include "pair_tmsph.h"
 #include "tmsph_last_force.h"
 #include "update.h"
@@ -56,18 +57,48 @@ void FixTMSPHWall::find_periods()
 
 void FixTMSPHWall::list_candidates()
 {
+  const bool moved = version != pair->bonds()->layout_version();
+  double nearest = HUGE_VAL;
   version = pair->bonds()->layout_version();
   candidates.clear();
   travel = skin = farthest = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit) skin = std::max(skin, 2.0 * gap_of(i));
   for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) list_images(i, (1.0 + REACH) * gap_of(i) + skin);
+    if (atom->mask[i] & groupbit) list_images(i, (1.0 + REACH) * gap_of(i) + skin, nearest);
   for (auto m = memories.begin(); m != memories.end();) {    // of particles that are gone
     const int i = atom->map(m->first);
     const bool here = i >= 0 && i < atom->nlocal && (atom->mask[i] & groupbit);
     m = here ? std::next(m) : memories.erase(m);
   }
+  if (moved) measure_clearance(nearest);
+}
+
+/* ----------------------------------------------------------------------
+   How near particles are to the reach of the wall, after an exchange of them, and how far from its
+   pivot (collective). Until the next one the wall covers its way.
+------------------------------------------------------------------------- */
+
+void FixTMSPHWall::measure_clearance(double nearest)
+{
+  const double mine[2] = {-nearest, farthest};
+  double all[2];
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MAX, world);
+  clearance = -all[0];
+  radius = all[1] + neighbor->skin;
+  way = 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   Before particles have moved half of LAMMPS's skin they are exchanged, if it looks at each step;
+   the other half is to spare.
+------------------------------------------------------------------------- */
+
+bool FixTMSPHWall::may_press() const
+{
+  const bool bounded = neighbor->every == 1 && neighbor->delay == 0 && neighbor->dist_check &&
+      !neighbor->build_once && !neighbor->includegroup;
+  return !bounded || clearance < way + neighbor->skin;
 }
 
 /* ----------------------------------------------------------------------
@@ -86,11 +117,13 @@ Point FixTMSPHWall::position_of(int i) const
 }
 
 /* ----------------------------------------------------------------------
-   @param within distance from the wall
+   @param within  distance from the wall
+   @param nearest of a particle to the reach of the wall if it were twice as large as it is cold
 ------------------------------------------------------------------------- */
 
-void FixTMSPHWall::list_images(int i, double within)
+void FixTMSPHWall::list_images(int i, double within, double &nearest)
 {
+  const double reach = REACH * pair->bonds()->spacing(i);
   const Point near = position_of(i), centre = motion.centre();
   double square = 0.0;
   for (int k = 0; k < 3; k++) square += (near[k] - centre[k]) * (near[k] - centre[k]);
@@ -105,7 +138,9 @@ void FixTMSPHWall::list_images(int i, double within)
           image[k] = near[k] + n[k] * domain->prd[k];
           shift[k] = image[k] - atom->x[i][k];
         }
-        if (shape->distance(motion.to_body(image)) < within) candidates.push_back({i, shift});
+        const double distance = shape->distance(motion.to_body(image));
+        nearest = std::min(nearest, distance - reach);
+        if (distance < within) candidates.push_back({i, shift});
       }
 }
 

@@ -254,6 +254,7 @@ template <int D> void PairTMSPH::test_bonds()
   if (averaging) MPI_Allreduce(&broke, &broke_anywhere, 1, MPI_INT, MPI_MAX, world);
   if (!broke_anywhere) return;
   std::sort(touched.begin(), touched.end());
+  drop_near(touched);
   GradientOutput out;
   out.force_row = force_row.data();
   if (contact || averaging) out.gradient = gradient.data();
@@ -376,9 +377,10 @@ double PairTMSPH::memory_usage()
 {
   const size_t doubles = kinematic.capacity() + force_row.capacity() + stress.capacity() +
       gradient.capacity() + rows.capacity() + exchanged.capacity() + mean_dilatation.capacity() +
-      pressure.capacity() + coupling_row.capacity();
+      pressure.capacity() + coupling_row.capacity() + surfaces.rows.capacity();
   return Pair::memory_usage() + doubles * sizeof(double) + own_side.bytes() +
-      own_side_lane.capacity() * sizeof(int);
+      own_side_lane.capacity() * sizeof(int) + surfaces.near.capacity() * sizeof(Near) +
+      surfaces.spans.capacity() * sizeof(Span) + surfaces.across.capacity() * sizeof(Across);
 }
 
 // for pair_tmsph_own_side.cpp

@@ -21,6 +21,7 @@ PairStyle(tmsph,PairTMSPH);
 #include "tmsph_dilatation.h"
 #include "tmsph_elastic.h"
 #include "tmsph_interface.h"
+#include "tmsph_presses.h"
 
 #include <array>
 #include <cmath>
@@ -56,6 +57,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
     virtual bool touching(int itype, int jtype) const = 0;
     /// bit 1<<state for each state of a family that it sees to
     virtual unsigned states() const = 0;
+    /// true if bodies touch in pairs of their families; else its forces reach the outermost
+    bool over_horizon() const { return states() >> FixTMSPHBond::UNBONDED & 1u; }
     /// doubles that it sends per ghost and step where surfaces may touch
     virtual int doubles_per_ghost() const = 0;
 
@@ -237,9 +240,34 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   TMSPH::Slices own_side;                         // particles with bonds to other materials
   std::vector<int> own_side_lane;                 // [nlocal] lane in own_side, or -1
   std::vector<int> touched;
-  std::vector<double> pressed;                    // [nlocal+nghost][pressed_width()], on demand
-  std::vector<int> border;                        // local particles with bonds to ghosts
-  int border_version;                             // layout that it belongs to
+
+  // averages at pressed surfaces, once a surface may be pressed
+  struct Near {
+    int j;
+    double mass;                                  // V_j W_ij
+  };
+  struct Span {
+    int first = 0, last = 0;                      // of those near a particle; 0: not listed
+  };
+  struct Member {
+    int i;
+    double part;                                  // of the average that it reports
+  };
+  struct Across {
+    int i, k, ghost;                              // a local particle and its bond to a ghost
+  };
+  struct Surfaces {
+    int trusted = 0;                              // calls until it is asked who is pressed
+    int version = -1;                             // layout that all the rest belongs to
+    std::vector<double> rows;                     // [nlocal+nghost][pressed_width()]; 0: nothing
+    std::vector<int> sharing, touching;           // local particles with a row: outermost, by pairs
+    std::vector<Member> members;
+    std::vector<double> change;                   // of the stress of each
+    std::vector<Near> near;
+    std::vector<Span> spans;                      // [nlocal]
+    std::vector<Across> across;
+    std::vector<char> listed;                     // [nlocal]
+  } surfaces;
 
   // averaged dilatation
   bool averaging;                                 // some material averages
@@ -279,8 +307,17 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   template <int D> void test_bonds();
   template <int D> void own_side_stress(bool inverted_breaks);
   void add_surface_stress();
-  std::vector<int> find_pressed(const std::vector<int> &sharing);
-  bool own_bond(int i, int k) const;    // intact, to the own material
+  bool pressed(bool mine);
+  void lay_out_surfaces();
+  void drop_near(const std::vector<int> &touched);
+  Span near(int i);
+  void take_shares(const std::vector<TMSPHPresses::Share> &);
+  void find_members();
+  void average_surfaces();
+  void average_pairs();
+  void average(const double *stresses, int stride, bool pairs);
+  void add_changes();
+  double *pressed_row(int i) { return surfaces.rows.data() + (size_t) pressed_width() * i; }
   int pressed_width() const { return stress_size() + 2; }
   int doubles_of_pressed() const;    // sent per ghost and test of the bonds
   bool averaged(int type) const;

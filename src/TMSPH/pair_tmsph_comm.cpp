@@ -63,7 +63,7 @@ std::pair<double *, int> PairTMSPH::rows_to_send()
     case STRESS:
       return {stress.data(), stress_size()};
     case PRESSES:
-      return {pressed.data(), pressed_width()};
+      return {surfaces.rows.data(), pressed_width()};
     case AVERAGE:
       return {exchanged.data(), 1};
     case COUPLING:

@@ -58,7 +58,7 @@ PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0),
     mass_at_estimate(0.0), stiffness_at_estimate(0.0), stable_dt(0.0), intact_dt(0.0),
     reported(false), reported_timestep(false), stepped(false), box_moves(false), the_box(lmp),
-    prepared_version(-1), border_version(-1), averaging(false), coupling(false),
+    prepared_version(-1), averaging(false), coupling(false),
     what_to_send(FORCE_ROWS)
 {
   if (lmp->citeme) lmp->citeme->add(CITE_TMSPH);
@@ -310,7 +310,7 @@ void PairTMSPH::init_style()
   on.viscosity = viscosity.alpha1 > 0.0 || viscosity.alpha2 > 0.0;
   viscosity.smoothing_length = cutoff / support_in_smoothing_lengths(kernel);
   comm_forward = domain->dimension == 2 ? Rows<2>::FORCE : Rows<3>::FORCE;    // the longest
-  prepared_version = border_version = -1;
+  prepared_version = surfaces.version = -1;
   break_test = nullptr;    // fixes that break bonds or let surfaces touch say so in their init()
   contact = nullptr;
   contact_serves_heat = false;

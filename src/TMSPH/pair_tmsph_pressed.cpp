@@ -15,21 +15,19 @@
 #include "pair_tmsph.h"
 
 #include "atom.h"
-#include "comm.h"
 #include "fix.h"
 #include "modify.h"
 #include "tmsph_presses.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
 // particles report the average in full when their surface makes this part of their stress, or that
-// of one of their family: with an eighth single ones beside a closed cut are off by 12 %, with this by
-// less than 10 % (unittest/verification/test_closed_cut.py)
+// of one of their family: with an eighth single ones beside a closed cut are off by 12 %, with this
+// by less than 10 % (unittest/verification/test_closed_cut.py)
 
 static constexpr double PRESSED = 0.04;
 
@@ -43,80 +41,74 @@ static constexpr int ROUNDS = 3;
 
 static constexpr int CONTACT_ROUNDS = 2;
 
-namespace {
-struct Near {
-  int j;
-  double mass;    // V_j W_ij
-};
-struct Pressed {
-  int i, first, last;    // itself and its bonds
-  double part;           // of the average that it reports
-};
+// a surface that is pressed is taken to be so for this many calls: then nobody needs to ask
+
+static constexpr int TRUSTED = 50;
 
 /// columns of a row that is sent: how forces on the outermost particles press, how contacts do, and
-/// what is to be spread over the sum of V_k W_ik
+/// what is to be spread over the sum of V_k W_ik; without such forces the stress of who is pressed
+namespace {
 enum { BY_SURFACE, BY_CONTACT, SPREAD };
-}    // namespace
+}
 
 /* ----------------------------------------------------------------------
-   local particles that have a share or a bond to one that has
+   after an exchange of particles all is found anew
 ------------------------------------------------------------------------- */
 
-std::vector<int> PairTMSPH::find_pressed(const std::vector<int> &sharing)
+void PairTMSPH::lay_out_surfaces()
 {
-  const int nlocal = atom->nlocal, width = pressed_width();
-  if (border_version != bond_fix->layout_version()) {
-    border_version = bond_fix->layout_version();
-    border.clear();
-    for (int i = 0; i < nlocal; i++)
-      for (int k = 0; k < bond_fix->count(i); k++)
-        if (bond_fix->partner_index(i, k) >= nlocal) {
-          border.push_back(i);
-          break;
-        }
-  }
-  std::vector<char> found(nlocal, 0);
-  for (const int i : sharing) {
-    found[i] = 1;
-    for (int k = 0; k < bond_fix->count(i); k++)
-      if (own_bond(i, k) && bond_fix->partner_index(i, k) < nlocal)
-        found[bond_fix->partner_index(i, k)] = 1;
-  }
-  for (const int i : border)
-    for (int k = 0; k < bond_fix->count(i) && !found[i]; k++)
-      found[i] = own_bond(i, k) &&
-          pressed[(size_t) width * bond_fix->partner_index(i, k)] > 0.0;
-  std::vector<int> list;
+  if (surfaces.version == bond_fix->layout_version()) return;
+  surfaces.version = bond_fix->layout_version();
+  const int nlocal = atom->nlocal;
+  surfaces.rows.assign((size_t) pressed_width() * (nlocal + atom->nghost), 0.0);
+  surfaces.near.clear();
+  surfaces.spans.assign(nlocal, Span());
+  surfaces.listed.assign(nlocal, 0);
+  surfaces.across.clear();
   for (int i = 0; i < nlocal; i++)
-    if (found[i]) list.push_back(i);
-  return list;
-}
-
-/* ---------------------------------------------------------------------- */
-
-bool PairTMSPH::own_bond(int i, int k) const
-{
-  return bond_fix->bond_state(i, k) == FixTMSPHBond::INTACT &&
-      atom->type[bond_fix->partner_index(i, k)] == atom->type[i];
+    for (const auto &bond : bond_fix->family(i, FixTMSPHBond::WHOLE))
+      if (bond.j >= nlocal && atom->type[bond.j] == atom->type[i])
+        surfaces.across.push_back({i, bond.k, bond.j});
 }
 
 /* ----------------------------------------------------------------------
-   of all fixes (collective)
-   @return false without any on any processor
+   @param touched local particles that lost a bond
 ------------------------------------------------------------------------- */
 
-static bool collect(Modify &modify, MPI_Comm world, std::vector<TMSPHPresses::Share> &shares)
+void PairTMSPH::drop_near(const std::vector<int> &touched)
 {
-  bool possible = false;
-  for (const auto &fix : modify.get_fix_list())
-    if (auto *one = dynamic_cast<TMSPHPresses *>(fix)) {
-      one->add_shares(shares);
-      possible = true;
-    }
-  if (!possible) return false;
-  int mine = !shares.empty(), any;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  return any;
+  if (surfaces.version != bond_fix->layout_version()) return;
+  for (const int i : touched) surfaces.spans[i] = Span();
+}
+
+/* ----------------------------------------------------------------------
+   those near a local particle: itself first, then its bonds to the own material by ascending ids
+------------------------------------------------------------------------- */
+
+PairTMSPH::Span PairTMSPH::near(int i)
+{
+  Span &span = surfaces.spans[i];
+  if (span.last > 0) return span;
+  const auto add = [this, i](int j) {
+    const double V_W = bond_fix->kernel_mass(i, j, horizon(atom->type[i], atom->type[i]));
+    surfaces.near.push_back({j, V_W / bond_fix->body_thickness()});
+  };
+  span.first = surfaces.near.size();
+  add(i);
+  for (const auto &bond : bond_fix->family(i, FixTMSPHBond::WHOLE))
+    if (atom->type[bond.j] == atom->type[i]) add(bond.j);
+  span.last = surfaces.near.size();
+  return span;
+}
+
+/* ----------------------------------------------------------------------
+   forces of walls, and of contact at outlines
+------------------------------------------------------------------------- */
+
+static bool reaches_outermost(Fix *fix)
+{
+  const auto *pairs = dynamic_cast<PairTMSPH::Contact *>(fix);
+  return !pairs || !pairs->over_horizon();
 }
 
 /* ----------------------------------------------------------------------
@@ -125,9 +117,12 @@ static bool collect(Modify &modify, MPI_Comm world, std::vector<TMSPHPresses::Sh
 
 int PairTMSPH::doubles_of_pressed() const
 {
+  int most = 0;
   for (Fix *fix : modify->get_fix_list())
-    if (dynamic_cast<TMSPHPresses *>(fix)) return pressed_width() + ROUNDS * stress_size();
-  return 0;
+    if (dynamic_cast<TMSPHPresses *>(fix))
+      most = std::max(most, reaches_outermost(fix) ? pressed_width() + ROUNDS * stress_size()
+                                                   : CONTACT_ROUNDS * pressed_width());
+  return most;
 }
 
 /* ----------------------------------------------------------------------
@@ -148,94 +143,185 @@ static double norm(const double *s, int size)
      S_i + p_i sum_j V_j W_ij (S_j - S_i), round after round.
    Pairs of contact are over the horizon as they are: with the smaller of p_i and p_j for p_i, so
    that particles which nothing presses, as those at the tip of a crack whose faces touch, keep
-   their own.
+   their own. Where nothing else presses only their stresses are sent, and fewer times.
 ------------------------------------------------------------------------- */
 
 void PairTMSPH::add_surface_stress()
 {
   std::vector<TMSPHPresses::Share> shares;
-  if (!collect(*modify, world, shares)) return;
-  const int size = stress_size(), width = pressed_width();
-  pressed.assign((size_t) width * (atom->nlocal + atom->nghost), 0.0);
-  const auto row = [&](int i) { return pressed.data() + (size_t) width * i; };
-  const auto stress_of = [&](int i) { return stress.data() + (size_t) size * i; };
-  const auto bearable = [&](int i) { return stress_of(i)[0] < UNBEARABLE; };
-  std::vector<Near> near;
-  const auto add_near = [&](int i) {    // itself first, then by ascending ids
-    const auto mass = [this, i](int j) {
-      return bond_fix->kernel_mass(i, j, horizon(atom->type[i], atom->type[i])) /
-          bond_fix->body_thickness();
-    };
-    near.push_back({i, mass(i)});
-    for (int k = 0; k < bond_fix->count(i); k++)
-      if (own_bond(i, k)) {
-        const int j = bond_fix->partner_index(i, k);
-        near.push_back({j, mass(j)});
-      }
-  };
+  bool possible = false, outermost = false;    // the same on all processors
+  for (Fix *fix : modify->get_fix_list())
+    if (auto *one = dynamic_cast<TMSPHPresses *>(fix)) {
+      one->add_shares(shares);
+      if (!one->may_press()) continue;
+      possible = true;
+      outermost = outermost || reaches_outermost(fix);
+    }
+  if (!possible || !pressed(!shares.empty())) return;
+  lay_out_surfaces();
+  take_shares(shares);
+  if (outermost)
+    average_surfaces();
+  else
+    average_pairs();
+  for (const auto *some : {&surfaces.sharing, &surfaces.touching})
+    for (const int i : *some) std::fill_n(pressed_row(i), pressed_width(), 0.0);
+}
 
-  std::vector<int> sharing, touching;
+/* ----------------------------------------------------------------------
+   @param mine some surface here (collective)
+   @return     some surface anywhere; perhaps no more
+------------------------------------------------------------------------- */
+
+bool PairTMSPH::pressed(bool mine)
+{
+  if (surfaces.trusted > 0) {
+    surfaces.trusted--;
+    return true;
+  }
+  int here = mine, any;
+  MPI_Allreduce(&here, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any) surfaces.trusted = TRUSTED;
+  return any;
+}
+
+/* ----------------------------------------------------------------------
+   rows of local particles, and those that have one
+------------------------------------------------------------------------- */
+
+void PairTMSPH::take_shares(const std::vector<TMSPHPresses::Share> &shares)
+{
+  const int size = stress_size();
+  surfaces.sharing.clear();
+  surfaces.touching.clear();
   for (const auto &share : shares) {
     const int i = share.i;
     const double flat[3] = {share.stress[0], share.stress[1], share.stress[3]};
     const double *s = size == 3 ? flat : share.stress;
-    const double surface = norm(s, size), bonded = norm(stress_of(i), size);
+    double *own = stress.data() + (size_t) size * i;
+    const double surface = norm(s, size), bonded = norm(own, size);
     if (surface == 0.0) continue;
-    double &pressed_by = row(i)[share.outermost ? BY_SURFACE : BY_CONTACT];
-    if (pressed_by == 0.0) (share.outermost ? sharing : touching).push_back(i);
+    double &pressed_by = pressed_row(i)[share.outermost ? BY_SURFACE : BY_CONTACT];
+    if (pressed_by == 0.0)
+      (share.outermost ? surfaces.sharing : surfaces.touching).push_back(i);
     pressed_by = std::max(pressed_by, std::min(1.0, surface / (PRESSED * (surface + bonded))));
-    double sum = 1.0;
+    double sum = share.outermost ? 0.0 : 1.0;
     if (share.outermost) {
-      near.clear();
-      add_near(i);
-      sum = std::accumulate(near.begin(), near.end(), 0.0,
-                            [](double all, const Near &n) { return all + n.mass; });
+      const Span span = near(i);
+      for (int n = span.first; n < span.last; n++) sum += surfaces.near[n].mass;
     }
-    for (int k = 0; k < size; k++)
-      (share.outermost ? row(i)[SPREAD + k] : stress_of(i)[k]) += s[k] / sum;
+    double *to = share.outermost ? pressed_row(i) + SPREAD : own;
+    for (int k = 0; k < size; k++) to[k] += s[k] / sum;
   }
-  send(PRESSES);
+}
 
-  near.clear();
-  std::vector<Pressed> members;
-  std::vector<double> spread;
-  std::vector<int> list = find_pressed(sharing);
-  list.insert(list.end(), touching.begin(), touching.end());
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-  for (const int i : list) {
-    const int first = near.size();
-    add_near(i);
-    double most = 0.0, sum[6] = {};
-    for (size_t n = first; n < near.size(); n++) {
-      const double *his = row(near[n].j);
-      most = std::max(most, his[BY_SURFACE]);
-      for (int k = 0; k < size; k++) sum[k] += near[n].mass * his[SPREAD + k];
-    }
-    members.push_back({i, first, (int) near.size(), most});
-    spread.insert(spread.end(), sum, sum + size);
-  }
-  const auto add = [&](const std::vector<double> &change) {
-    for (size_t m = 0; m < members.size(); m++)
-      for (int k = 0; k < size; k++) stress_of(members[m].i)[k] += change[m * size + k];
+/* ----------------------------------------------------------------------
+   local particles that have a share, or on whose family forces on the outermost press
+------------------------------------------------------------------------- */
+
+void PairTMSPH::find_members()
+{
+  auto &members = surfaces.members;
+  members.clear();
+  const auto add = [&](int i) {
+    if (!surfaces.listed[i]) members.push_back({i, 0.0});
+    surfaces.listed[i] = 1;
   };
-  add(spread);
+  for (const int i : surfaces.touching) add(i);
+  for (const int i : surfaces.sharing) {
+    const Span span = near(i);
+    for (int n = span.first; n < span.last; n++)
+      if (surfaces.near[n].j < atom->nlocal) add(surfaces.near[n].j);
+  }
+  for (const auto &bond : surfaces.across)
+    if (pressed_row(bond.ghost)[BY_SURFACE] > 0.0 &&
+        bond_fix->bond_state(bond.i, bond.k) == FixTMSPHBond::INTACT)
+      add(bond.i);
+  for (const Member &m : members) surfaces.listed[m.i] = 0;
+}
 
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::average_surfaces()
+{
+  const int size = stress_size(), width = pressed_width();
+  send(PRESSES);
+  find_members();
+  auto &members = surfaces.members;
+  surfaces.change.assign(members.size() * size, 0.0);
+  double *change = surfaces.change.data();
+  for (Member &m : members) {
+    const Span span = near(m.i);
+    for (int n = span.first; n < span.last; n++) {
+      const Near &one = surfaces.near[n];
+      const double *his = &surfaces.rows[(size_t) width * one.j];
+      m.part = std::max(m.part, his[BY_SURFACE]);
+      for (int k = 0; k < size; k++) change[k] += one.mass * his[SPREAD + k];
+    }
+    change += size;
+  }
+  add_changes();
   for (int round = 0; round < ROUNDS; round++) {
     send(STRESS);
-    std::vector<double> change(members.size() * size, 0.0);
-    for (size_t m = 0; m < members.size(); m++) {
-      const double *mine = stress_of(members[m].i);
-      const double touched = round < CONTACT_ROUNDS ? row(members[m].i)[BY_CONTACT] : 0.0;
-      if (!bearable(members[m].i)) continue;
-      for (int n = members[m].first; n < members[m].last; n++) {
-        const int j = near[n].j;
-        const double average = std::max(members[m].part, std::min(touched, row(j)[BY_CONTACT]));
-        if (average == 0.0 || !bearable(j)) continue;
-        const double *his = stress_of(j), part = average * near[n].mass;
-        for (int k = 0; k < size; k++) change[m * size + k] += part * (his[k] - mine[k]);
-      }
-    }
-    add(change);
+    average(stress.data(), size, round < CONTACT_ROUNDS);
   }
+}
+
+/* ----------------------------------------------------------------------
+   of those that are pressed the stresses come along
+------------------------------------------------------------------------- */
+
+void PairTMSPH::average_pairs()
+{
+  const int size = stress_size();
+  surfaces.members.clear();
+  for (const int i : surfaces.touching) surfaces.members.push_back({i, 0.0});
+  for (int round = 0; round < CONTACT_ROUNDS; round++) {
+    for (const int i : surfaces.touching)
+      std::copy_n(stress.data() + (size_t) size * i, size, pressed_row(i) + SPREAD);
+    send(PRESSES);
+    average(surfaces.rows.data() + SPREAD, pressed_width(), true);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   one round
+   @param stresses,stride of local and ghost particles, those that take part
+   @param pairs           with the averages over pairs of contact
+------------------------------------------------------------------------- */
+
+void PairTMSPH::average(const double *stresses, int stride, bool pairs)
+{
+  const int size = stress_size(), width = pressed_width();
+  surfaces.change.assign(surfaces.members.size() * size, 0.0);
+  for (size_t number = 0; number < surfaces.members.size(); number++) {
+    const Member &m = surfaces.members[number];
+    double *change = surfaces.change.data() + number * size;
+    const double *mine = stresses + (size_t) stride * m.i;
+    const double touched = pairs ? pressed_row(m.i)[BY_CONTACT] : 0.0;
+    if (!(mine[0] < UNBEARABLE)) continue;
+    const Span span = near(m.i);
+    for (int n = span.first; n < span.last; n++) {
+      const Near &one = surfaces.near[n];
+      const double most = touched == 0.0
+          ? m.part
+          : std::max(m.part,
+                     std::min(touched, surfaces.rows[(size_t) width * one.j + BY_CONTACT]));
+      const double *his = stresses + (size_t) stride * one.j;
+      if (most == 0.0 || !(his[0] < UNBEARABLE)) continue;
+      const double part = most * one.mass;
+      for (int k = 0; k < size; k++) change[k] += part * (his[k] - mine[k]);
+    }
+  }
+  add_changes();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairTMSPH::add_changes()
+{
+  const int size = stress_size();
+  const double *change = surfaces.change.data();
+  for (const Member &m : surfaces.members)
+    for (int k = 0; k < size; k++) stress[(size_t) size * m.i + k] += *change++;
 }

@@ -22,6 +22,8 @@ class TMSPHPresses {
   };
   /// adds those of the last force evaluation (collective)
   virtual void add_shares(std::vector<Share> &) = 0;
+  /// false if there are no shares on any processor; asked after add_shares(), the same on all
+  virtual bool may_press() const { return true; }
 
  protected:
   ~TMSPHPresses() = default;    // owned as a fix, never through this interface
