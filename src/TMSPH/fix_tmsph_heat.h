@@ -149,7 +149,11 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
 
   void open_accounts();
   void parse(int, char **);
+  int parse_by_type(const std::string &word, int, int, char **);
   int parse_conductivity(int, int, char **, Substance &);
+  void parse_contact(char **);
+  void parse_setting(const std::string &word, const char *value);
+  void check_words();
   void find_norms();
   void find_depths();
   std::vector<double> stored(int column) const;

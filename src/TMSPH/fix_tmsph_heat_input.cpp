@@ -161,72 +161,101 @@ void FixTMSPHHeat::parse(int narg, char **arg)
     if (iarg + (word == "contact" ? 3 : by_type ? 2 : 1) >= narg)
       utils::missing_cmd_args(FLERR, "fix tmsph/heat " + word + (word == "contact" ? " I J h" : ""),
                               error);
-    const char *value = arg[iarg + 1];
-    if (by_type) {
-      int lo, hi, next = iarg + 3;
-      TMSPH::read_types(lmp, "Fix tmsph/heat " + word, word + " * value", arg[iarg + 1], lo, hi);
-      Substance given;
-      if (word == "conductivity")
-        next = parse_conductivity(iarg + 2, narg, arg, given);
-      else if (word == "specific/heat")
-        next = parse_property(lmp, word, iarg + 2, narg, arg, given.specific_heat);
-      else if (utils::strmatch(arg[iarg + 2], "^v_"))
-        given.source_variable = arg[iarg + 2] + 2;
-      else
-        given.source = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
-      for (int type = lo; type <= hi; type++) {
-        Substance &s = substances[type];
-        if (word == "conductivity") {
-          s.conductivity = given.conductivity;
-          s.orthotropic = given.orthotropic;
-          std::copy_n(given.principal, 9, s.principal);
-        } else if (word == "specific/heat")
-          s.specific_heat = given.specific_heat;
-        else {
-          s.source = given.source;
-          s.source_variable = given.source_variable;
-        }
-      }
-      iarg = next;
-      continue;
-    }
-    if (word == "contact") {
-      int ilo, ihi, jlo, jhi;
-      const std::string what = "Fix tmsph/heat contact", usage = "contact * * h";
-      TMSPH::read_types(lmp, what, usage, arg[iarg + 1], ilo, ihi);
-      TMSPH::read_types(lmp, what, usage, arg[iarg + 2], jlo, jhi);
-      const double h = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
-      if (!(h >= 0.0 && std::isfinite(h)))
-        error->all(FLERR,
-                   "Fix tmsph/heat contact {} must not be negative: it is the conductance of a "
-                   "closed crack per area",
-                   arg[iarg + 3]);
-      for (int i = ilo; i <= ihi; i++)
-        for (int j = jlo; j <= jhi; j++) gap[i][j] = gap[j][i] = h;
-      crosses = crosses || h > 0.0;
+    if (by_type)
+      iarg = parse_by_type(word, iarg + 1, narg, arg);
+    else if (word == "contact") {
+      parse_contact(arg + iarg + 1);
       iarg += 4;
-      continue;
-    }
-    if (word == "friction")
-      friction = utils::logical(FLERR, value, false, lmp);
-    else if (word == "viscous")
-      viscous = utils::logical(FLERR, value, false, lmp);
-    else if (word == "subcycle") {
-      if (strcmp(value, "rkl2") != 0 && strcmp(value, "explicit") != 0)
-        error->all(FLERR, "Unknown value '{}' of fix tmsph/heat subcycle: use explicit or rkl2",
-                   value);
-      rkl2 = strcmp(value, "rkl2") == 0;
-    } else if (word == "time/scale") {
-      time_scale = utils::numeric(FLERR, value, false, lmp);
-      if (!(time_scale > 0.0 && std::isfinite(time_scale)))
-        error->all(FLERR, "Fix tmsph/heat time/scale {} must be positive", value);
     } else {
-      every = utils::inumeric(FLERR, value, false, lmp);
-      if (every < 1) error->all(FLERR, "Fix tmsph/heat every {} must be at least 1 step", value);
+      parse_setting(word, arg[iarg + 1]);
+      iarg += 2;
     }
-    iarg += 2;
   }
+  check_words();
+}
 
+/* ----------------------------------------------------------------------
+   @return index of the word after types and value
+------------------------------------------------------------------------- */
+
+int FixTMSPHHeat::parse_by_type(const std::string &word, int iarg, int narg, char **arg)
+{
+  int lo, hi, next = iarg + 2;
+  TMSPH::read_types(lmp, "Fix tmsph/heat " + word, word + " * value", arg[iarg], lo, hi);
+  const char *value = arg[iarg + 1];
+  Substance given;
+  if (word == "conductivity")
+    next = parse_conductivity(iarg + 1, narg, arg, given);
+  else if (word == "specific/heat")
+    next = parse_property(lmp, word, iarg + 1, narg, arg, given.specific_heat);
+  else if (utils::strmatch(value, "^v_"))
+    given.source_variable = value + 2;
+  else
+    given.source = utils::numeric(FLERR, value, false, lmp);
+  for (int type = lo; type <= hi; type++) {
+    Substance &s = substances[type];
+    if (word == "conductivity") {
+      s.conductivity = given.conductivity;
+      s.orthotropic = given.orthotropic;
+      std::copy_n(given.principal, 9, s.principal);
+    } else if (word == "specific/heat")
+      s.specific_heat = given.specific_heat;
+    else {
+      s.source = given.source;
+      s.source_variable = given.source_variable;
+    }
+  }
+  return next;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::parse_contact(char **given)
+{
+  int ilo, ihi, jlo, jhi;
+  const std::string what = "Fix tmsph/heat contact", usage = "contact * * h";
+  TMSPH::read_types(lmp, what, usage, given[0], ilo, ihi);
+  TMSPH::read_types(lmp, what, usage, given[1], jlo, jhi);
+  const double h = utils::numeric(FLERR, given[2], false, lmp);
+  if (!(h >= 0.0 && std::isfinite(h)))
+    error->all(FLERR,
+               "Fix tmsph/heat contact {} must not be negative: it is the conductance of a "
+               "closed crack per area",
+               given[2]);
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = jlo; j <= jhi; j++) gap[i][j] = gap[j][i] = h;
+  crosses = crosses || h > 0.0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::parse_setting(const std::string &word, const char *value)
+{
+  if (word == "friction")
+    friction = utils::logical(FLERR, value, false, lmp);
+  else if (word == "viscous")
+    viscous = utils::logical(FLERR, value, false, lmp);
+  else if (word == "subcycle") {
+    if (strcmp(value, "rkl2") != 0 && strcmp(value, "explicit") != 0)
+      error->all(FLERR, "Unknown value '{}' of fix tmsph/heat subcycle: use explicit or rkl2",
+                 value);
+    rkl2 = strcmp(value, "rkl2") == 0;
+  } else if (word == "time/scale") {
+    time_scale = utils::numeric(FLERR, value, false, lmp);
+    if (!(time_scale > 0.0 && std::isfinite(time_scale)))
+      error->all(FLERR, "Fix tmsph/heat time/scale {} must be positive", value);
+  } else {
+    every = utils::inumeric(FLERR, value, false, lmp);
+    if (every < 1) error->all(FLERR, "Fix tmsph/heat every {} must be at least 1 step", value);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   what they lack and what does not go together
+------------------------------------------------------------------------- */
+
+void FixTMSPHHeat::check_words()
+{
   if (viscous && every > 1)
     error->all(FLERR, "Fix tmsph/heat viscous takes the work of each step: remove 'every {}'",
                every);
