@@ -23,9 +23,12 @@
 #ifndef LMP_TMSPH_LATTICE_FACES_H
 #define LMP_TMSPH_LATTICE_FACES_H
 
+#include "tmsph_point_grid.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace TMSPH {
@@ -84,6 +87,7 @@ template <int D> class LatticeFaces {
 
  private:
   static constexpr double SAME = 1.0e-4;     // of the shortest bond: the same place
+  static constexpr double ROUND_OFF = 1.0e-9;
   static constexpr double NEAREST = 1.01;    // shortest bonds, which span the lattice
   static constexpr double SHORT = 1.8;       // in these multiples of them: bonds that span faces
 
@@ -96,14 +100,13 @@ template <int D> class LatticeFaces {
   double reach, same = 0.0;
   std::vector<Vector> own, places;   // the particle itself is the first
   std::vector<char> lacking;         // places without a neighbor
+  std::vector<double> own_heights, heights;    // of own and of places along a normal
   std::vector<Face> candidates, faces;
   std::vector<Layer<D>> layers;
 
-  int find_place(const Vector &X) const
+  int find_place(const PointGrid<D> &grid, const Vector &X) const
   {
-    for (size_t n = 0; n < places.size(); n++)
-      if ((places[n] - X).squaredNorm() < same * same) return n;
-    return -1;
+    return grid.find(X, same, [&](int n) { return (places[n] - X).squaredNorm() < same * same; });
   }
 
   /// all places of the lattice within reach; false if the neighbors do not stand on them
@@ -113,22 +116,32 @@ template <int D> class LatticeFaces {
     for (size_t n = 1; n < own.size(); n++) shortest = std::min(shortest, own[n].norm());
     same = SAME * shortest;
     std::vector<Vector> steps;
+    const auto add = [&](const Vector &step) {    // opposite neighbors give it twice
+      for (const Vector &s : steps)
+        if ((s - step).norm() < ROUND_OFF * shortest) return;
+      steps.push_back(step);
+    };
     for (size_t n = 1; n < own.size(); n++)
       if (own[n].norm() < NEAREST * shortest) {
-        steps.push_back(own[n]);
-        steps.push_back(-own[n]);
+        add(own[n]);
+        add(-own[n]);
       }
     const double most = std::pow(2.0 * reach / shortest + 1.0, D);
     places.assign(1, Vector::Zero());
+    PointGrid<D> grid(reach, 0.5 * shortest);
+    grid.add(places[0]);
     for (size_t n = 0; n < places.size(); n++)
       for (const Vector &step : steps) {
         const Vector X = places[n] + step;
-        if (X.norm() < reach && find_place(X) < 0) places.push_back(X);
+        if (X.norm() < reach && find_place(grid, X) < 0) {
+          places.push_back(X);
+          grid.add(X);
+        }
         if (places.size() > most) return false;
       }
     lacking.assign(places.size(), 1);
     for (const Vector &X : own) {
-      const int place = find_place(X);
+      const int place = find_place(grid, X);
       if (place < 0) return false;
       lacking[place] = 0;
     }
@@ -144,34 +157,48 @@ template <int D> class LatticeFaces {
       if (places[n].norm() < longest) steps.push_back(places[n]);
     for (size_t a = 0; a < steps.size(); a++) {
       if constexpr (D == 2)
-        consider(Vector(-steps[a][1], steps[a][0]));
+        consider(Vector(-steps[a][1], steps[a][0]), false);
       else
-        for (size_t b = a + 1; b < steps.size(); b++) {
-          const Vector normal = steps[a].cross(steps[b]);
-          consider(normal);
-          consider(-normal);
-        }
+        for (size_t b = a + 1; b < steps.size(); b++) consider(steps[a].cross(steps[b]), true);
     }
   }
 
-  void consider(const Vector &direction)
+  /// @param both also the opposite direction
+  void consider(const Vector &direction, bool both)
   {
     const double length = direction.norm();
     if (length < same * same) return;
+    const Vector normal = direction / length;
+    bool here = false, there = !both;    // known
+    for (const Face &f : candidates) {
+      const double cosine = f.normal.dot(normal);
+      here = here || cosine > 1.0 - SAME * SAME;
+      there = there || -cosine > 1.0 - SAME * SAME;
+      if (here && there) return;
+    }
+    own_heights.clear();
+    heights.clear();
+    for (const Vector &X : own) own_heights.push_back(X.dot(normal));
+    for (const Vector &X : places) heights.push_back(X.dot(normal));
+    if (!here) add_candidate(normal, 1.0);
+    if (!there) add_candidate(-normal, -1.0);
+  }
+
+  /// @param sign of the heights in its direction
+  void add_candidate(const Vector &normal, double sign)
+  {
     Face face;
-    face.normal = direction / length;
-    for (const Face &f : candidates)
-      if (f.normal.dot(face.normal) > 1.0 - SAME * SAME) return;
+    face.normal = normal;
     face.height = 0.0;
-    for (const Vector &X : own) face.height = std::max(face.height, X.dot(face.normal));
+    for (const double height : own_heights) face.height = std::max(face.height, sign * height);
     face.gap = reach;
     for (size_t n = 0; n < places.size(); n++) {
-      const double height = places[n].dot(face.normal);
+      const double height = sign * heights[n];
       if (height > same) face.gap = std::min(face.gap, height);
       if (height > face.height + same) face.beyond.push_back(n);
     }
     face.spanned = spanned(face);
-    candidates.push_back(face);
+    candidates.push_back(std::move(face));
   }
 
   bool spanned(const Face &face) const
