@@ -43,15 +43,16 @@ int FixTMSPHHeat::setmask()
 void FixTMSPHHeat::post_constructor()
 {
   norms_id = std::string(id) + "_TMSPH_NORM";
-  const int D = domain->dimension, columns = LAYERS + D * (D == 2 ? LAYER<2> : LAYER<3>);
-  norms = dynamic_cast<FixStoreAtom *>(
-      modify->add_fix(fmt::format("{} all STORE/ATOM {} 0 0 1", norms_id, columns)));
+  norms = dynamic_cast<FixStoreAtom *>(modify->add_fix(
+      fmt::format("{} all STORE/ATOM {} 0 0 1", norms_id, MULTIPLIER + domain->dimension)));
 }
 
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHHeat::~FixTMSPHHeat()
 {
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
   if (modify->nfix && modify->get_fix_by_id(norms_id)) modify->delete_fix(norms_id);
 }
 
@@ -126,7 +127,7 @@ void FixTMSPHHeat::end_of_step()
                                                                   energy / atom->rmass[i]);
   }
   accounts[source_account()].energy += sum;
-  comm->forward_comm(this);
+  comm->forward_comm(this, 1);
 }
 
 /* ----------------------------------------------------------------------
@@ -342,7 +343,7 @@ void FixTMSPHHeat::share(std::vector<double> &values)
   shared.swap(values);
   shared.resize(atom->nlocal + atom->nghost);
   what_to_send = SHARED;
-  comm->forward_comm(this);
+  comm->forward_comm(this, 1);
   what_to_send = TEMPERATURE;
   shared.swap(values);
 }
@@ -364,22 +365,6 @@ double FixTMSPHHeat::content() const
   for (int i = 0; i < atom->nlocal; i++)
     sum += atom->rmass[i] * enthalpy(i, atom->temperature[i]);
   return sum;
-}
-
-/* ---------------------------------------------------------------------- */
-
-int FixTMSPHHeat::pack_forward_comm(int n, int *list, double *buf, int /*pbc_flag*/, int * /*pbc*/)
-{
-  const double *values = what_to_send == SHARED ? shared.data() : atom->temperature;
-  for (int k = 0; k < n; k++) buf[k] = values[list[k]];
-  return n;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHHeat::unpack_forward_comm(int n, int first, double *buf)
-{
-  std::copy_n(buf, n, (what_to_send == SHARED ? shared.data() : atom->temperature) + first);
 }
 
 /* ----------------------------------------------------------------------

@@ -58,8 +58,17 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   double memory_usage() override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
 
   void tell() override;
   int reach(int most, double /*largest_change*/) override { return most; }
@@ -95,10 +104,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   };
   class PairTMSPH *pair;
   class FixTMSPHBond *bonds;
-  // columns of the store: c, depth below an interface or 0, see fix_tmsph_heat_evening.cpp, and D
-  // layers of flat faces, see fix_tmsph_heat_faces.cpp
-  enum { NORM, DEPTH, MULTIPLIER, LAYERS = MULTIPLIER + 3 };
-  template <int D> static constexpr int LAYER = D + 4;
+  // columns of the store: c, depth below an interface or 0, see fix_tmsph_heat_evening.cpp
+  enum { NORM, DEPTH, MULTIPLIER };
   class FixStoreAtom *norms;       // they are frozen when the bonds formed
   std::string norms_id;
   std::vector<Substance> substances;    // by type
@@ -118,10 +125,13 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   bool evened;                     // the body is irregular
   std::vector<double> multipliers[3];    // then, of local and ghost particles, by component
   bool faced;                      // the body has flat faces
-  std::vector<std::vector<double>> layers;    // then, of local and ghost particles, by column
+  static constexpr int NONE = -1;
+  std::vector<int> face_row;       // [nmax] of local and ghost particles in faces, or NONE
+  std::vector<double> faces;       // [row][dimension][layer_size()], see fix_tmsph_heat_storage.cpp
   std::vector<double> sums;        // sum_j G_ij of local particles, at the largest conductivity
   std::vector<double> shared;      // of local and ghost particles, one number each
-  enum { TEMPERATURE, SHARED } what_to_send;
+  enum { TEMPERATURE, SHARED, LAYER } what_to_send;
+  int sent_layer;
 
   // of the advance that goes on. The energies of the accounts are stages of the same scheme as
   // the temperatures, so that what is gained and lost adds up to the last digits
@@ -172,10 +182,18 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   double interior_noise(const std::vector<Pull> &, const std::vector<char> &near) const;
   template <int D> void find_layers(const std::vector<char> &near, std::vector<double> &second);
   template <int D> void drop_steps(std::vector<double> &rough);
+  int layer_size() const;
+  int faces_size() const;
+  const double *faces_of(int i) const;
+  int count_faces(int i) const;
+  double *make_faces(int i);
+  void drop_all_faces();
+  void tidy_faces();
   template <int D> TMSPH::Layer<D> layer(int i, int k) const;
   template <int D> double boost(int i, const double *X) const;
   template <int D> bool share_faces(int i, const Pull &, bool cracks, std::vector<SurfaceShare> &);
   void share_layers();
+  bool corrected(int i, int j) const;
   double correction(int i, int j, const double *X) const;
   template <int D> void calibrate(int type, const std::vector<char> &near);
   template <int D> void even_out();

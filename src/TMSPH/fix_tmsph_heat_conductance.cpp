@@ -39,6 +39,7 @@ void FixTMSPHHeat::find_norms()
   MPI_Allreduce(&lacking, &any, 1, MPI_INT, MPI_MAX, world);
   if (!any) return;
   evened = faced = false;
+  drop_all_faces();
 
   std::vector<double> second(nlocal);    // sum_j V_j w R^2
   for (int i = 0; i < nlocal; i++) {
@@ -193,7 +194,7 @@ template <int D> void FixTMSPHHeat::find_conductances()
         if (substances[jtype].orthotropic) kj = directional[jtype](e);
       }
       double base = (all_norms[i] + all_norms[j]) * bonds->weight(i, j);
-      if (evened || faced) {
+      if (corrected(i, j)) {
         double X[3];
         bonds->reference_vector(i, j, X);
         base *= correction(i, j, X);
@@ -216,13 +217,22 @@ std::vector<double> FixTMSPHHeat::stored(int column) const
 }
 
 /* ----------------------------------------------------------------------
+   false if the following is 1
+------------------------------------------------------------------------- */
+
+bool FixTMSPHHeat::corrected(int i, int j) const
+{
+  return evened || face_row[i] != NONE || face_row[j] != NONE;
+}
+
+/* ----------------------------------------------------------------------
    factor to the conductance of a bond with reference vector X from i to j
 ------------------------------------------------------------------------- */
 
 double FixTMSPHHeat::correction(int i, int j, const double *X) const
 {
+  if (!corrected(i, j)) return 1.0;
   if (evened) return evening(i, j, X);
-  if (!faced) return 1.0;
   return domain->dimension == 2 ? 0.5 * (boost<2>(i, X) + boost<2>(j, X))
                                 : 0.5 * (boost<3>(i, X) + boost<3>(j, X));
 }

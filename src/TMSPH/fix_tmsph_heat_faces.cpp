@@ -39,8 +39,6 @@ void FixTMSPHHeat::find_layers(const std::vector<char> &near, std::vector<double
 {
   std::vector<double> rough(atom->nlocal, 0.0);
   for (int i = 0; i < atom->nlocal; i++) {
-    double *row = norms->astore[i] + LAYERS;
-    std::fill_n(row, D * LAYER<D>, 0.0);
     if (!near[i]) continue;
     const double horizon = pair->horizon(atom->type[i], atom->type[i]), V = atom->vfrac[i];
     const auto weight = [&](double R) {
@@ -55,11 +53,13 @@ void FixTMSPHHeat::find_layers(const std::vector<char> &near, std::vector<double
       family.add(X);
     }
     rough[i] = !family.find(weight);
+    if (family.found().empty()) continue;
+    double *to = make_faces(i);
     for (const Layer<D> &layer : family.found()) {
-      row = std::copy_n(layer.normal.data(), D, row);
-      for (double value : {layer.above, layer.below, layer.boost, layer.missing}) *row++ = value;
+      layer.put(to);
+      to += Layer<D>::SIZE;
     }
-    if (!family.found().empty()) second[i] = family.second_moment(weight) / V;
+    second[i] = family.second_moment(weight) / V;
   }
   share_layers();
   for (int step = 0; step < STEPS_ALONG && faced; step++) drop_steps<D>(rough);
@@ -79,8 +79,8 @@ template <int D> void FixTMSPHHeat::drop_steps(std::vector<double> &rough)
   share(rough);
   std::vector<double> more(rough.begin(), rough.begin() + atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) {
-    double *row = norms->astore[i] + LAYERS;
-    for (int k = 0; k < D && row[k * LAYER<D> + D] > 0.0; k++) {
+    const int count = count_faces(i);
+    for (int k = 0; k < count; k++) {
       const Layer<D> own = layer<D>(i, k);
       for (int n = 0; n < bonds->count(i) && !more[i]; n++) {
         const int j = bonds->partner_index(i, n);
@@ -90,41 +90,9 @@ template <int D> void FixTMSPHHeat::drop_steps(std::vector<double> &rough)
         more[i] = own.along(X);
       }
     }
-    if (more[i]) std::fill_n(row, D * LAYER<D>, 0.0);
+    if (more[i]) face_row[i] = NONE;
   }
   rough = more;
-}
-
-/* ----------------------------------------------------------------------
-   only a body on a lattice has some
-------------------------------------------------------------------------- */
-
-void FixTMSPHHeat::share_layers()
-{
-  const int D = domain->dimension, columns = D * (D == 2 ? LAYER<2> : LAYER<3>);
-  int mine = 0, any;
-  for (int i = 0; i < atom->nlocal && !mine; i++) mine = norms->astore[i][LAYERS + D] != 0.0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  faced = any != 0;
-  layers.resize(faced ? columns : 0);
-  for (int k = 0; k < (int) layers.size(); k++) {
-    layers[k] = stored(LAYERS + k);
-    share(layers[k]);
-  }
-}
-
-/* ----------------------------------------------------------------------
-   layer k of local or ghost particle i; above = 0: it has no more
-------------------------------------------------------------------------- */
-
-template <int D> Layer<D> FixTMSPHHeat::layer(int i, int k) const
-{
-  Layer<D> found;
-  const std::vector<double> *column = &layers[k * LAYER<D>];
-  for (int a = 0; a < D; a++) found.normal[a] = (*column++)[i];
-  for (double *value : {&found.above, &found.below, &found.boost, &found.missing})
-    *value = (*column++)[i];
-  return found;
 }
 
 /* ----------------------------------------------------------------------
@@ -134,7 +102,8 @@ template <int D> Layer<D> FixTMSPHHeat::layer(int i, int k) const
 template <int D> double FixTMSPHHeat::boost(int i, const double *X) const
 {
   double factor = 1.0;
-  for (int k = 0; k < D && layers[k * LAYER<D> + D][i] > 0.0; k++) {
+  const int count = count_faces(i);
+  for (int k = 0; k < count; k++) {
     const Layer<D> found = layer<D>(i, k);
     if (found.along(X)) factor *= 1.0 + found.boost;
   }
@@ -158,7 +127,7 @@ bool FixTMSPHHeat::share_faces(int i, const Pull &pull, bool cracks,
 {
   using Vector = Eigen::Matrix<double, D, 1>;
   std::vector<Layer<D>> own;
-  for (int k = 0; k < D && layers[k * LAYER<D> + D][i] > 0.0; k++) own.push_back(layer<D>(i, k));
+  for (int k = 0; k < count_faces(i); k++) own.push_back(layer<D>(i, k));
   if (own.empty()) return false;
   bool cracked = false;
   for (int k = 0; k < bonds->count(i) && cracks; k++) {

@@ -30,7 +30,7 @@ using TMSPH::PropertyTable;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 3.0;
+static constexpr double RESTART_FORMAT = 4.0;
 
 // scaled time must leave mechanical waves this many passages while heat crosses the body
 
@@ -52,8 +52,8 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     substances(atom->ntypes + 1), rkl2(true), tables(false), every(1), time_scale(1.0),
     gap(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0)), crosses(false),
     friction(false), viscous(false), told(false), version(-1), removals(0), evened(false),
-    faced(false), what_to_send(TEMPERATURE), heats(false), cools(false), stable(0.0), covered(0.0),
-    fastest(0.0), comfortable(MAXSMALLINT / 2), applications(0), former_energy(0.0)
+    faced(false), what_to_send(TEMPERATURE), sent_layer(0), heats(false), cools(false), stable(0.0),
+    covered(0.0), fastest(0.0), comfortable(MAXSMALLINT / 2), applications(0), former_energy(0.0)
 {
   if (!atom->temperature_flag || !atom->vfrac_flag || !atom->rmass_flag)
     error->all(FLERR, "Fix tmsph/heat needs an atom style with temperature, volume and mass: "
@@ -67,8 +67,12 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   extscalar = 1;
   extvector = 0;
-  restart_global = 1;
-  comm_forward = 1;
+  restart_global = restart_peratom = 1;
+  comm_forward = layer_size();    // at most
+  maxexchange = 1 + faces_size();
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+  grow_arrays(atom->nmax);
 }
 
 /* ----------------------------------------------------------------------
@@ -427,8 +431,8 @@ double FixTMSPHHeat::memory_usage()
 {
   const size_t doubles = conductivities.capacity() + sums.capacity() + all_norms.capacity() +
       all_depths.capacity() + multipliers[0].capacity() * 3 +
-      (faced ? layers.size() * layers[0].capacity() : 0) + shared.capacity() +
-      source_of.capacity() + power.capacity();
+      faces.capacity() + shared.capacity() + source_of.capacity() + power.capacity();
   return doubles * sizeof(double) + conductances.capacity() * sizeof(float) +
-      held.capacity() * sizeof(int) + exchanges.capacity() * sizeof(Exchange);
+      (held.capacity() + face_row.capacity()) * sizeof(int) +
+      exchanges.capacity() * sizeof(Exchange);
 }

@@ -142,5 +142,5 @@ void FixTMSPHHeat::put_temperatures(const std::vector<double> &y)
   for (int i = 0; i < atom->nlocal; i++)
     if (held[i] == NOT_HELD)
       atom->temperature[i] = substances[atom->type[i]].specific_heat.temperature_at(y[i]);
-  comm->forward_comm(this);
+  comm->forward_comm(this, 1);
 }

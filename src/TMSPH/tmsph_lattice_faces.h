@@ -48,6 +48,20 @@ template <int D> struct Layer {
     const Eigen::Map<const Eigen::Matrix<double, D, 1>> x(X);
     return std::fabs(x.dot(normal)) < ALONG * x.norm();
   }
+
+  /// numbers that it is stored as; above is the first behind the normal
+  static constexpr int SIZE = D + 4;
+  void put(double *to) const
+  {
+    to = std::copy_n(normal.data(), D, to);
+    for (const double value : {above, below, boost, missing}) *to++ = value;
+  }
+  void take(const double *from)
+  {
+    std::copy_n(from, D, normal.data());
+    from += D;
+    for (double *value : {&above, &below, &boost, &missing}) *value = *from++;
+  }
 };
 
 /** Collects the bonds of a particle and finds the faces near it. */
