@@ -14,6 +14,7 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair.h"
+#include "tmsph_collective.h"
 #include "update.h"
 
 #include <algorithm>
@@ -36,12 +37,9 @@ static constexpr double AT_HORIZON = 1.0 - 2.0e-9;    // of the square
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), user(nullptr), list(nullptr), bonds_formed(false), laid_out(false),
-    faced(false), maxpartner(1), npartner(nullptr), partner(nullptr), state(nullptr),
-    own_tag(nullptr), first_tag(nullptr), lag(nullptr), horizon(0.0), kappa(0.0),
-    thickness(1.0), period{0.0, 0.0, 0.0}, corner{0.0, 0.0, 0.0},
-    particles(0), volume(NAN), version(0), nremoved(0),
-    what_to_send(REFERENCE)
+    Fix(lmp, narg, arg), TMSPHReferenceGeometry(lmp), census(lmp, *this, this),
+    lag(particle_values("velocity lag", 6)), list(nullptr), bonds_formed(false), laid_out(false),
+    faced(false), version(0), nremoved(0)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
     error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
@@ -64,12 +62,6 @@ FixTMSPHBond::~FixTMSPHBond()
 {
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
-  memory->destroy(npartner);
-  memory->destroy(partner);
-  memory->destroy(state);
-  memory->destroy(own_tag);
-  memory->destroy(first_tag);
-  memory->destroy(lag);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -122,11 +114,11 @@ void FixTMSPHBond::setup_post_neighbor()
   if (fresh)
     form();
   else {
-    if (!follow_ids()) follow_losses();
-    refuse_other_volumes();
+    if (!census.follow_ids()) census.follow_losses();
+    census.refuse_other_volumes();
     refuse_bonds_without();
   }
-  take_stock();
+  census.take();
   send_references();
   lay_out();
   if (fresh) {
@@ -140,21 +132,14 @@ void FixTMSPHBond::setup_post_neighbor()
 void FixTMSPHBond::setup(int /*vflag*/)
 {
   user->run_begins();
-  memory->destroy(lag);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHBond::min_setup(int /*vflag*/)
-{
-  user->run_begins();
-  memory->destroy(lag);
+  lag.stop();
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHBond::pre_exchange()
 {
+  maxexchange = most_of_row();
   user->exchange_comes();
 }
 
@@ -162,27 +147,18 @@ void FixTMSPHBond::pre_exchange()
 
 void FixTMSPHBond::post_neighbor()
 {
-  follow_losses();
+  census.follow_losses();
   send_references();
   lay_out();
 }
 
 /* ----------------------------------------------------------------------
-   the present positions become the reference; all pairs of bonded types
-   within the horizon become bonds, sorted by the partner's id
+   what the bonds are about to form with
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::form()
+void FixTMSPHBond::check_formation() const
 {
-  const int nlocal = atom->nlocal;
-  const int *periodicity = domain->periodicity;
-  horizon = user->horizon();
-  type_horizons.assign(atom->ntypes + 1, 0.0);
-  for (int t = 1; t <= atom->ntypes; t++) {
-    type_horizons[t] = user->horizon(t, t);
-    for (int u = 1; u < t; u++) faced = faced || user->touching(t, u);
-  }
-  refuse_equal_ids();
+  census.refuse_equal_ids();
   if (comm->get_comm_cutoff() < horizon)
     error->all(FLERR,
                "The ghost cutoff {} is shorter than the horizon {} of pair style tmsph: raise it "
@@ -192,67 +168,80 @@ void FixTMSPHBond::form()
     error->all(FLERR,
                "Neigh_modify exclude would leave out bonds of pair style tmsph: remove it before "
                "the first run; types without bonds between them have 'pair_coeff I J none'");
-  for (int k = 0; k < 3; k++) {
-    period[k] = periodicity[k] && k < domain->dimension ? domain->prd[k] : 0.0;
-    corner[k] = domain->boxlo[k];
+  for (int k = 0; k < 3; k++)
     if (period[k] > 0.0 && period[k] < 2.0 * horizon)
       error->all(FLERR,
                  "Periodic box length {} in {} is shorter than two horizons of {}: enlarge the box "
                  "or make this boundary non-periodic",
                  period[k], "xyz"[k], horizon);
+}
+
+/* ----------------------------------------------------------------------
+   the present positions become the reference; all pairs of bonded types
+   within the horizon become bonds, sorted by the partner's id
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::form()
+{
+  horizon = user->horizon();
+  type_horizons.assign(atom->ntypes + 1, 0.0);
+  for (int t = 1; t <= atom->ntypes; t++) {
+    type_horizons[t] = user->horizon(t, t);
+    for (int u = 1; u < t; u++) faced = faced || user->touching(t, u);
   }
-  for (int i = 0; i < nlocal; i++) domain->unmap(atom->x[i], atom->image[i], atom->x0[i]);
+  take_box();
+  check_formation();
+  for (int i = 0; i < atom->nlocal; i++) domain->unmap(atom->x[i], atom->image[i], atom->x0[i]);
   comm->forward_comm_array(3, atom->x0);    // ghosts came with those of before
   send_references();
 
   // counted first and then stored: no more memory than the bonds take in the end
 
   neighbor->build_one(list);
-  const auto family = [&](int i, const auto &take) {
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const bool bond = user->bonded(atom->type[i], atom->type[j]);
-      if (!bond && !user->touching(atom->type[i], atom->type[j])) continue;
-      if (atom->tag[j] == atom->tag[i]) continue;    // its own image
-      double X[3];
-      reference_vector(i, j, X);
-      const double R2 = X[0] * X[0] + X[1] * X[1] + X[2] * X[2];
-      const double reach = user->horizon(atom->type[i], atom->type[j]);
-      if (R2 >= AT_HORIZON * reach * reach) continue;
-      if (R2 == 0.0)
-        error->one(FLERR,
-                   "Particles {} and {} stand on the same place: remove one, for instance with "
-                   "delete_atoms overlap",
-                   atom->tag[i], atom->tag[j]);
-      take(atom->tag[j], bond ? INTACT : UNBONDED);
-    }
-  };
   int longest = 1, longest_of_all;
-  for (int ii = 0; ii < list->inum; ii++) {
-    int count = 0;
-    family(list->ilist[ii], [&](tagint, State) { count++; });
-    longest = std::max(longest, count);
-  }
+  for (int ii = 0; ii < list->inum; ii++)
+    longest = std::max<int>(longest, find_members(list->ilist[ii]).size());
   MPI_Allreduce(&longest, &longest_of_all, 1, MPI_INT, MPI_MAX, world);
-  resize_partners(longest_of_all);
-  std::vector<std::pair<tagint, State>> members;
+  resize_rows(longest_of_all, atom->nmax);
+  maxexchange = most_of_row();
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    members.clear();
-    family(i, [&](tagint id, State kind) { members.emplace_back(id, kind); });
-    // in a short periodic box the list also has images beyond the nearest
-    std::sort(members.begin(), members.end());
-    npartner[i] = std::unique(members.begin(), members.end()) - members.begin();
-    for (int k = 0; k < npartner[i]; k++) {
-      partner[i][k] = members[k].first;
-      state[i][k] = members[k].second;
-    }
-    own_tag[i] = first_tag[i] = atom->tag[i];
+    set_family(i, atom->tag[i], find_members(i));
     atom->damage[i] = 0.0;
   }
   release_list();
   bonds_formed = true;
   check_families();
+}
+
+/* ----------------------------------------------------------------------
+   ids and states of those within the horizon of a local particle, ascending
+------------------------------------------------------------------------- */
+
+std::vector<std::pair<tagint, TMSPHFamilies::State>> FixTMSPHBond::find_members(int i) const
+{
+  std::vector<std::pair<tagint, State>> members;
+  for (int jj = 0; jj < list->numneigh[i]; jj++) {
+    const int j = list->firstneigh[i][jj] & NEIGHMASK;
+    const bool bond = user->bonded(atom->type[i], atom->type[j]);
+    if (!bond && !user->touching(atom->type[i], atom->type[j])) continue;
+    if (atom->tag[j] == atom->tag[i]) continue;    // its own image
+    double X[3];
+    reference_vector(i, j, X);
+    const double R2 = X[0] * X[0] + X[1] * X[1] + X[2] * X[2];
+    const double reach = user->horizon(atom->type[i], atom->type[j]);
+    if (R2 >= AT_HORIZON * reach * reach) continue;
+    if (R2 == 0.0)
+      error->one(FLERR,
+                 "Particles {} and {} stand on the same place: remove one, for instance with "
+                 "delete_atoms overlap",
+                 atom->tag[i], atom->tag[j]);
+    members.emplace_back(atom->tag[j], bond ? INTACT : UNBONDED);
+  }
+  // in a short periodic box the list also has images beyond the nearest
+  std::sort(members.begin(), members.end());
+  members.erase(std::unique(members.begin(), members.end()), members.end());
+  return members;
 }
 
 /* ----------------------------------------------------------------------
@@ -297,15 +286,7 @@ void FixTMSPHBond::check_families() const
 
 void FixTMSPHBond::send_references()
 {
-  const int nlocal = atom->nlocal;
-  xref.resize(3 * (size_t) (nlocal + atom->nghost));
-  for (int i = 0; i < nlocal; i++) {
-    const imageint image = atom->image[i];
-    const int turn[3] = {(int) (image & IMGMASK) - IMGMAX,
-                         (int) (image >> IMGBITS & IMGMASK) - IMGMAX,
-                         (int) (image >> IMG2BITS) - IMGMAX};
-    for (int k = 0; k < 3; k++) xref[3 * (size_t) i + k] = atom->x0[i][k] - turn[k] * period[k];
-  }
+  place_local();
   comm->forward_comm(this);
 }
 
@@ -313,44 +294,18 @@ void FixTMSPHBond::send_references()
 
 int FixTMSPHBond::pack_forward_comm(int n, int *list, double *buf, int pbc_flag, int *pbc)
 {
-  int m = 0;
-  if (what_to_send == TAG) {
-    for (int ii = 0; ii < n; ii++) buf[m++] = ubuf(former_tag[list[ii]]).d;
-    return m;
-  }
-  double shift[3] = {0.0, 0.0, 0.0};
-  if (pbc_flag)
-    for (int k = 0; k < 3; k++) shift[k] = pbc[k] * period[k];
-  for (int ii = 0; ii < n; ii++)
-    for (int k = 0; k < 3; k++) buf[m++] = xref[3 * (size_t) list[ii] + k] + shift[k];
-  return m;
+  return census.sending() ? census.pack(n, list, buf)
+                          : pack_references(n, list, buf, pbc_flag, pbc);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHBond::unpack_forward_comm(int n, int first, double *buf)
 {
-  if (what_to_send == TAG)
-    for (int i = 0; i < n; i++) former_tag[first + i] = (tagint) ubuf(buf[i]).i;
+  if (census.sending())
+    census.unpack(n, first, buf);
   else
-    std::copy(buf, buf + 3 * (size_t) n, xref.begin() + 3 * (size_t) first);
-}
-
-/* ----------------------------------------------------------------------
-   the image of particle "id" that is nearest to i in the reference frame
-------------------------------------------------------------------------- */
-
-int FixTMSPHBond::find_partner(int i, tagint id) const
-{
-  const double *mine = reference(i);
-  const double reach = 1.01 * user->horizon();
-  for (int j = atom->map(id); j >= 0; j = atom->sametag[j]) {
-    const double *his = reference(j);
-    double R2 = 0.0;
-    for (int k = 0; k < 3; k++) R2 += (his[k] - mine[k]) * (his[k] - mine[k]);
-    if (R2 < reach * reach) return j;
-  }
-  return -1;
+    unpack_references(n, first, buf);
 }
 
 /* ----------------------------------------------------------------------
@@ -372,7 +327,7 @@ void FixTMSPHBond::lay_out()
     int rows = 0;
     for (int l = 0; l < WIDTH; l++) {
       slices.particle[first + l] = l < n ? first + l : first;
-      if (l < n) rows = std::max(rows, npartner[first + l]);
+      if (l < n) rows = std::max(rows, count(first + l));
     }
     slices.valid[q] = n;
     slices.offset[q + 1] = slices.offset[q] + rows;
@@ -391,10 +346,11 @@ void FixTMSPHBond::lay_out()
         int j = -1;
         const size_t at = slices.at(q, l, k);
         slices.weight[at] = 0.0f;
-        if (!pad && k < npartner[i]) {
-          j = find_partner(i, partner[i][k]);
-          if (j < 0 && state[i][k] == INTACT) stop_lost(i, partner[i][k]);
-          if (j >= 0 && state[i][k] == INTACT) slices.weight[at] = weight(i, j);
+        if (!pad && k < count(i)) {
+          j = find_image(i, partner_tag(i, k));
+          const bool holds = bond_state(i, k) == INTACT;
+          if (j < 0 && holds) stop_lost(i, partner_tag(i, k));
+          if (j >= 0 && holds) slices.weight[at] = weight(i, j);
         }
         slices.partner[at] = j < 0 ? i : j;
       }
@@ -424,18 +380,9 @@ void FixTMSPHBond::stop_lost(int i, tagint partner) const
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHBond::state_with(int i, tagint id) const
-{
-  const tagint *first = partner[i], *last = first + npartner[i];
-  const tagint *found = std::lower_bound(first, last, id);
-  return found != last && *found == id ? state[i][found - first] : -1;
-}
-
-/* ---------------------------------------------------------------------- */
-
 void FixTMSPHBond::remove_bond(int i, int k, State why)
 {
-  state[i][k] = why;
+  set_state(i, k, why);
   nremoved++;
   const size_t at = slices.at(i / WIDTH, i % WIDTH, k);
   slices.weight[at] = 0.0f;
@@ -444,18 +391,19 @@ void FixTMSPHBond::remove_bond(int i, int k, State why)
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHBond::update_damage(int i)
+bool FixTMSPHBond::removed_anywhere(int since) const
 {
-  const int broken = count_in(i, 1u << BROKEN), formed = count_in(i, FORMED);
-  atom->damage[i] = formed ? (double) broken / formed : 0.0;
+  int mine = nremoved != since, any;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  return any;
 }
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHBond::count_in(int i, unsigned states) const
+void FixTMSPHBond::update_damage(int i)
 {
-  return std::count_if(state[i], state[i] + npartner[i],
-                       [states](unsigned char one) { return states >> one & 1u; });
+  const int broken = count_in(i, 1u << BROKEN), formed = count_in(i, FORMED);
+  atom->damage[i] = formed ? (double) broken / formed : 0.0;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -480,4 +428,110 @@ std::pair<int, int> FixTMSPHBond::family_sizes() const
   }
   MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
   return {-all[0], all[1]};
+}
+
+/* ----------------------------------------------------------------------
+   which types are bonded is asked only when the bonds form
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_bonds_without() const
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < count(i); k++) {
+      const int j = atom->map(partner_tag(i, k));
+      if (bond_state(i, k) == INTACT && j >= 0 && !user->bonded(atom->type[i], atom->type[j]))
+        error->one(FLERR,
+                   "Particles {} and {} are bonded, and 'pair_coeff {} {} none' came later, or "
+                   "'set type': bonds form at the first run; later tmsph/cut removes them",
+                   atom->tag[i], partner_tag(i, k), atom->type[i], atom->type[j]);
+    }
+}
+
+/* ----------------------------------------------------------------------
+   A partner that is near, but not in the reference frame, has another image flag than when the
+   bonds formed, and did not move by a period.
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::refuse_changed_images(int i, tagint partner) const
+{
+  for (int j = atom->map(partner); j >= 0; j = atom->sametag[j]) {
+    double r2 = 0.0;
+    for (int k = 0; k < 3; k++) r2 += std::pow(atom->x[j][k] - atom->x[i][k], 2);
+    if (r2 < horizon * horizon)
+      error->one(FLERR,
+                 "Particles {} and {}, which are bonded, have image flags that were changed since "
+                 "the bonds formed: do without 'set image' and 'reset_atoms image', or use them "
+                 "before the first run",
+                 atom->tag[i], partner);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   what outputs find by local and ghost indices was laid out when ghosts came last;
+   between runs particles may have gone to other places since (collective)
+------------------------------------------------------------------------- */
+
+void FixTMSPHBond::need_layout(const std::string &who) const
+{
+  int mine = !laid_out || !all_placed();
+  int any;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any)
+    error->all(FLERR, "{} after particles were created, deleted or displaced: do a 'run 0' first",
+               who);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHBond::nearest_square(int i) const
+{
+  double square = HUGE_VAL, X[3];
+  for (const auto &bond : family(i, FORMED)) {
+    reference_vector(i, bond.j, X);
+    const double across = domain->dimension == 3 ? X[2] * X[2] : 0.0;
+    square = std::min(square, X[0] * X[0] + X[1] * X[1] + across);
+  }
+  return square < HUGE_VAL ? square : 0.0;
+}
+
+/* ----------------------------------------------------------------------
+   In 2-D the volume is an area times the thickness. The area is about the square of
+   the distance to the nearest partner: near 1, the thickness is 1.
+------------------------------------------------------------------------- */
+
+double FixTMSPHBond::find_thickness() const
+{
+  static constexpr double NEAR_ONE = 2.5;
+  if (domain->dimension == 3) return 1.0;
+  std::vector<double> volumes, squares;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double nearest = nearest_square(i);
+    if (nearest == 0.0) continue;
+    volumes.push_back(atom->vfrac[i]);
+    squares.push_back(nearest);
+  }
+  const double square = TMSPH::fixed_point_sum(squares, world);
+  const double ratio = square > 0.0 ? TMSPH::fixed_point_sum(volumes, world) / square : 1.0;
+  return ratio < NEAR_ONE && ratio > 1.0 / NEAR_ONE ? 1.0 : ratio;
+}
+
+/* ----------------------------------------------------------------------
+   tr K/D where a particle has all its neighbors
+------------------------------------------------------------------------- */
+
+double FixTMSPHBond::largest_kappa() const
+{
+  const int dimension = domain->dimension;
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++) {
+    double trace = 0.0, X[3];
+    for (const auto &bond : family(i, FORMED)) {
+      const int j = bond.j;
+      reference_vector(i, j, X);
+      for (int c = 0; c < dimension; c++) trace += weight(i, j) * X[c] * X[c];
+    }
+    mine = std::max(mine, trace / (dimension * atom->vfrac[i]));
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
 }

@@ -1,19 +1,19 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-
-   Do ids tell particles apart, and are the particles still those of the bonds:
-   new ones, new ids, other places in the arrays.
 ------------------------------------------------------------------------- */
 
-#include "fix_tmsph_bond.h"
+#include "tmsph_census.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix.h"
 #include "modify.h"
 #include "output.h"
 #include "thermo.h"
+#include "tmsph_bond_user.h"
 #include "tmsph_collective.h"
+#include "tmsph_families.h"
 #include "update.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ using namespace LAMMPS_NS;
    file with the number of particles. Equal ids meet on the same processor.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::refuse_equal_ids() const
+void TMSPHCensus::refuse_equal_ids() const
 {
   const int nlocal = atom->nlocal;
   std::vector<int> destination(nlocal);
@@ -58,10 +58,10 @@ void FixTMSPHBond::refuse_equal_ids() const
    on all processors; none may have come after the others had formed their bonds
 ------------------------------------------------------------------------- */
 
-bigint FixTMSPHBond::count_particles() const
+bigint TMSPHCensus::count_particles() const
 {
   bigint mine[2] = {atom->nlocal, 0}, all[2];
-  for (int i = 0; i < atom->nlocal; i++) mine[1] += own_tag[i] == 0;
+  for (int i = 0; i < atom->nlocal; i++) mine[1] += families.owner_tag(i) == TMSPHFamilies::NOBODY;
   MPI_Allreduce(mine, all, 2, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all[1])
     error->all(FLERR,
@@ -73,7 +73,7 @@ bigint FixTMSPHBond::count_particles() const
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHBond::take_stock()
+void TMSPHCensus::take()
 {
   particles = count_particles();
   volume = total_volume();
@@ -84,7 +84,7 @@ void FixTMSPHBond::take_stock()
    thermodynamic output; the bonds must know at once. Between runs some may have been deleted.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::follow_losses()
+void TMSPHCensus::follow_losses()
 {
   const bigint present = count_particles();
   if (present == particles) return;
@@ -94,7 +94,7 @@ void FixTMSPHBond::follow_losses()
                "or go on without them by 'thermo_modify lost ignore'",
                atom->natoms, present, update->ntimestep);
   forget_missing();
-  take_stock();
+  take();
 }
 
 /* ----------------------------------------------------------------------
@@ -102,7 +102,7 @@ void FixTMSPHBond::follow_losses()
    only out of reach are known to some processor.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::forget_missing()
+void TMSPHCensus::forget_missing()
 {
   const auto unique = [](std::vector<tagint> &ids) {
     std::sort(ids.begin(), ids.end());
@@ -110,8 +110,8 @@ void FixTMSPHBond::forget_missing()
   };
   std::vector<tagint> mine;
   for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < npartner[i]; k++)
-      if (atom->map(partner[i][k]) < 0) mine.push_back(partner[i][k]);
+    for (int k = 0; k < families.count(i); k++)
+      if (const tagint id = families.partner_tag(i, k); atom->map(id) < 0) mine.push_back(id);
   unique(mine);
   int count = mine.size();
   std::vector<int> counts(comm->nprocs), first(comm->nprocs + 1, 0);
@@ -131,15 +131,8 @@ void FixTMSPHBond::forget_missing()
     const auto found = std::lower_bound(asked.begin(), asked.end(), id);
     return found != asked.end() && *found == id && !anywhere[found - asked.begin()];
   };
-  for (int i = 0; i < atom->nlocal; i++) {
-    int kept = 0;
-    for (int k = 0; k < npartner[i]; k++) {
-      if (gone(partner[i][k])) continue;
-      partner[i][kept] = partner[i][k];
-      state[i][kept++] = state[i][k];
-    }
-    npartner[i] = kept;
-  }
+  for (int i = 0; i < atom->nlocal; i++)
+    families.rename(i, [&](tagint id) { return gone(id) ? TMSPHFamilies::NOBODY : id; });
 }
 
 /* ----------------------------------------------------------------------
@@ -147,7 +140,7 @@ void FixTMSPHBond::forget_missing()
    with which they formed
 ------------------------------------------------------------------------- */
 
-double FixTMSPHBond::total_volume() const
+double TMSPHCensus::total_volume() const
 {
   const std::vector<double> volumes(atom->vfrac, atom->vfrac + atom->nlocal);
   return TMSPH::fixed_point_sum(volumes, world);
@@ -155,7 +148,7 @@ double FixTMSPHBond::total_volume() const
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHBond::refuse_other_volumes() const
+void TMSPHCensus::refuse_other_volumes() const
 {
   constexpr double AGREE = 1.0e-12;
   if (count_particles() != particles) return;    // some were deleted
@@ -168,28 +161,11 @@ void FixTMSPHBond::refuse_other_volumes() const
 }
 
 /* ----------------------------------------------------------------------
-   which types are bonded is asked only when the bonds form
-------------------------------------------------------------------------- */
-
-void FixTMSPHBond::refuse_bonds_without() const
-{
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < npartner[i]; k++) {
-      const int j = atom->map(partner[i][k]);
-      if (state[i][k] == INTACT && j >= 0 && !user->bonded(atom->type[i], atom->type[j]))
-        error->one(FLERR,
-                   "Particles {} and {} are bonded, and 'pair_coeff {} {} none' came later, or "
-                   "'set type': bonds form at the first run; later tmsph/cut removes them",
-                   atom->tag[i], partner[i][k], atom->type[i], atom->type[j]);
-    }
-}
-
-/* ----------------------------------------------------------------------
    LAMMPS refuses reset_atoms id by itself as long as there are such fixes, but not the
    compression of ids by delete_atoms
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBond::refuse_new_ids() const
+void TMSPHCensus::refuse_new_ids() const
 {
   for (const auto &fix : modify->get_fix_list()) {
     const auto other = dynamic_cast<const TMSPHStoresIds *>(fix);
@@ -206,78 +182,44 @@ void FixTMSPHBond::refuse_new_ids() const
 }
 
 /* ----------------------------------------------------------------------
-   reset_atoms id and delete_atoms with compression give particles new ids:
-   follow them, as long as the partners are still within reach. Bonds whose
-   partners are not found are forgotten: they were deleted.
-   @return false if all ids are the same
+   bonds whose partners are not found are forgotten: they were deleted
 ------------------------------------------------------------------------- */
 
-bool FixTMSPHBond::follow_ids()
+bool TMSPHCensus::follow_ids()
 {
   count_particles();    // new ones have no ids yet
   const int nlocal = atom->nlocal;
   int other = 0, renamed;
-  for (int i = 0; i < nlocal; i++) other |= own_tag[i] != atom->tag[i];
+  for (int i = 0; i < nlocal; i++) other |= families.owner_tag(i) != atom->tag[i];
   MPI_Allreduce(&other, &renamed, 1, MPI_INT, MPI_MAX, world);
   if (!renamed) return false;
   refuse_new_ids();
 
-  former_tag.assign(own_tag, own_tag + nlocal);
   former_tag.resize(nlocal + atom->nghost);
-  what_to_send = TAG;
-  comm->forward_comm(this);
-  what_to_send = REFERENCE;
+  for (int i = 0; i < nlocal; i++) former_tag[i] = families.owner_tag(i);
+  comm->forward_comm(owner);
   std::unordered_map<tagint, tagint> present;
   for (size_t i = 0; i < former_tag.size(); i++) present[former_tag[i]] = atom->tag[i];
   for (int i = 0; i < nlocal; i++) {
-    std::vector<std::pair<tagint, unsigned char>> kept;
-    for (int k = 0; k < npartner[i]; k++) {
-      const auto found = present.find(partner[i][k]);
-      if (found != present.end()) kept.emplace_back(found->second, state[i][k]);
-    }
-    std::sort(kept.begin(), kept.end());
-    npartner[i] = kept.size();
-    for (int k = 0; k < npartner[i]; k++) {
-      partner[i][k] = kept[k].first;
-      state[i][k] = kept[k].second;
-    }
-    own_tag[i] = atom->tag[i];
+    families.rename(i, [&](tagint id) {
+      const auto found = present.find(id);
+      return found == present.end() ? TMSPHFamilies::NOBODY : found->second;
+    });
+    families.set_owner_tag(i, atom->tag[i]);
   }
   former_tag.clear();
   return true;
 }
 
-/* ----------------------------------------------------------------------
-   A partner that is near, but not in the reference frame, has another image flag than when the
-   bonds formed, and did not move by a period.
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void FixTMSPHBond::refuse_changed_images(int i, tagint partner) const
+int TMSPHCensus::pack(int n, const int *list, double *buf) const
 {
-  for (int j = atom->map(partner); j >= 0; j = atom->sametag[j]) {
-    double r2 = 0.0;
-    for (int k = 0; k < 3; k++) r2 += std::pow(atom->x[j][k] - atom->x[i][k], 2);
-    if (r2 < horizon * horizon)
-      error->one(FLERR,
-                 "Particles {} and {}, which are bonded, have image flags that were changed since "
-                 "the bonds formed: do without 'set image' and 'reset_atoms image', or use them "
-                 "before the first run",
-                 atom->tag[i], partner);
-  }
+  for (int ii = 0; ii < n; ii++) buf[ii] = ubuf(former_tag[list[ii]]).d;
+  return n;
 }
 
-/* ----------------------------------------------------------------------
-   what outputs find by local and ghost indices was laid out when ghosts came last;
-   between runs particles may have gone to other places since (collective)
-------------------------------------------------------------------------- */
-
-void FixTMSPHBond::need_layout(const std::string &who) const
+void TMSPHCensus::unpack(int n, int first, const double *buf)
 {
-  const int nall = atom->nlocal + atom->nghost;
-  int mine = !laid_out || xref.size() != 3 * (size_t) nall;
-  int any;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  if (any)
-    error->all(FLERR, "{} after particles were created, deleted or displaced: do a 'run 0' first",
-               who);
+  for (int ii = 0; ii < n; ii++) former_tag[first + ii] = (tagint) ubuf(buf[ii]).i;
 }
