@@ -8,7 +8,6 @@
 #include "fix_tmsph_break.h"
 
 #include "atom.h"
-#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_tmsph_bond.h"
@@ -108,7 +107,7 @@ void FixTMSPHBreak::follow_layout()
 {
   if (version == bonds->layout_version()) return;
   version = bonds->layout_version();
-  strengths.resize(atom->nlocal + atom->nghost);
+  strengths.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) {
     const Rock &rock = rocks[atom->type[i]];
     strengths[i] = rock.modulus > 0.0
@@ -117,30 +116,23 @@ void FixTMSPHBreak::follow_layout()
   }
   debris.leave_out(1u << FixTMSPHBond::INTACT | pair->states_in_contact());
   debris.measure(*bonds);
-  comm->forward_comm(this);
+  ghosts.complete(strengths);
+  ghosts.complete(debris.spacings());
   if (list) debris.list_candidates(*list, neighbor->skin, *bonds);
 }
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHBreak::pack_forward_comm(int n, int *sendlist, double *buf, int /*pbc_flag*/,
-                                         int * /*pbc*/)
+int FixTMSPHBreak::pack_forward_comm(int n, int *list, double *buf, int, int *)
 {
-  for (int i = 0; i < n; i++) {
-    *buf++ = debris.spacings()[sendlist[i]];
-    *buf++ = strengths[sendlist[i]];
-  }
-  return 2 * n;
+  return ghosts.pack(n, list, buf);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHBreak::unpack_forward_comm(int n, int first, double *buf)
 {
-  for (int i = first; i < first + n; i++) {
-    debris.spacings()[i] = *buf++;
-    strengths[i] = *buf++;
-  }
+  ghosts.unpack(n, first, buf);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -12,6 +12,7 @@
 #include "pair_tmsph.h"
 #include "tmsph_criterion.h"
 #include "tmsph_debris.h"
+#include "tmsph_ghost_rows.h"
 #include "tmsph_report.h"
 
 #include <memory>
@@ -83,6 +84,7 @@ class FixTMSPHBreak : public Fix, public PairTMSPH::BreakTest, public TMSPHRepor
   PairTMSPH *pair;
   class FixTMSPHBond *bonds;
   class NeighList *list;
+  TMSPHGhostSender ghosts;
   TMSPHDebris debris;
   std::unique_ptr<TMSPH::Criterion> criterion;
   std::vector<Rock> rocks;               // by type

@@ -44,9 +44,10 @@ static constexpr double HOT_START = 0.01;
 
 FixTMSPHBreak::FixTMSPHBreak(LAMMPS *lmp, int narg, char **arg,
                              std::unique_ptr<TMSPH::Criterion> law) :
-    Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), list(nullptr), debris(lmp),
-    criterion(std::move(law)), rocks(atom->ntypes + 1), all_principals(false), one_rock(true),
-    armed(false), version(-1), broken{0, 0}, broken_now(0), fresh(true), relative(0.0)
+    Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), list(nullptr), ghosts(lmp, this),
+    debris(lmp), criterion(std::move(law)), rocks(atom->ntypes + 1), all_principals(false),
+    one_rock(true), armed(false), version(-1), broken{0, 0}, broken_now(0), fresh(true),
+    relative(0.0)
 {
   scalar_flag = vector_flag = local_flag = 1;
   size_vector = 5;
@@ -56,7 +57,7 @@ FixTMSPHBreak::FixTMSPHBreak(LAMMPS *lmp, int narg, char **arg,
   size_local_cols = 13;
   local_freq = 1;
   restart_global = 1;
-  comm_forward = 2;
+  comm_forward = 1;
   parse(narg, arg);
 }
 

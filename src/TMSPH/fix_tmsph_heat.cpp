@@ -8,7 +8,6 @@
 #include "fix_tmsph_heat.h"
 
 #include "atom.h"
-#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_store_atom.h"
@@ -127,7 +126,7 @@ void FixTMSPHHeat::end_of_step()
                                                                   energy / atom->rmass[i]);
   }
   accounts[source_account()].energy += sum;
-  comm->forward_comm(this, 1);
+  ghosts.send(T, 1, 1);
 }
 
 /* ----------------------------------------------------------------------
@@ -332,20 +331,6 @@ void FixTMSPHHeat::find_bridges()
     const double resistance = t.distance / TMSPH::harmonic_mean(k(t.i), k(t.j)) + 1.0 / h;
     bridges.push_back({t.i, t.j, area / resistance});
   }
-}
-
-/* ----------------------------------------------------------------------
-   completes the numbers of local particles by those of ghosts
-------------------------------------------------------------------------- */
-
-void FixTMSPHHeat::share(std::vector<double> &values)
-{
-  shared.swap(values);
-  shared.resize(atom->nlocal + atom->nghost);
-  what_to_send = SHARED;
-  comm->forward_comm(this, 1);
-  what_to_send = TEMPERATURE;
-  shared.swap(values);
 }
 
 /* ----------------------------------------------------------------------

@@ -14,6 +14,7 @@ FixStyle(tmsph/heat,FixTMSPHHeat);
 #define LMP_FIX_TMSPH_HEAT_H
 
 #include "fix.h"
+#include "tmsph_ghost_rows.h"
 #include "tmsph_heat_clock.h"
 #include "tmsph_lattice_faces.h"
 #include "tmsph_own_surface.h"
@@ -129,9 +130,8 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   std::vector<int> face_row;       // [nmax] of local and ghost particles in faces, or NONE
   std::vector<double> faces;       // [row][dimension][layer_size()], see fix_tmsph_heat_storage.cpp
   std::vector<double> sums;        // sum_j G_ij of local particles, at the largest conductivity
-  std::vector<double> shared;      // of local and ghost particles, one number each
-  enum { TEMPERATURE, SHARED, LAYER } what_to_send;
-  int sent_layer;
+  TMSPHGhostSender ghosts;
+  int face_sent;                   // number of a face that goes to ghosts, or NONE
 
   // of the advance that goes on. The energies of the accounts are stages of the same scheme as
   // the temperatures, so that what is gained and lost adds up to the last digits
@@ -202,7 +202,6 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   template <int D> void find_conductances();
   void drop_conductances();
   void follow();
-  void share(std::vector<double> &);
   void attempt(double duration, std::vector<double> &y);
   void commit(double duration, const std::vector<double> &y);
   void collect_friction();

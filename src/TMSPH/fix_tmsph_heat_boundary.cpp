@@ -5,7 +5,6 @@
 #include "fix_tmsph_heat_boundary.h"
 
 #include "atom.h"
-#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_store_atom.h"
@@ -52,7 +51,7 @@ enum { AREA, DEPTH, NORMAL, NCOLUMNS = NORMAL + 3 };
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), kind(TEMPERATURE), place(UNDECIDED), body(false), value(0.0),
+    Fix(lmp, narg, arg), ghosts(lmp, this), kind(TEMPERATURE), place(UNDECIDED), body(false), value(0.0),
     coefficient(0.0), absolute_zero(0.0), variable_index(-1), given_area(0.0), one_sided(false),
     cracks(false), heat(nullptr), store(nullptr), found(false), removals(0)
 {
@@ -275,22 +274,22 @@ void FixTMSPHHeatBoundary::hold_temperature()
     T[i] = now;
   }
   if (heat) heat->bring(this, brought);
-  if (!variable.empty() && input->variable->atomstyle(variable_index)) comm->forward_comm(this);
+  if (!variable.empty() && input->variable->atomstyle(variable_index))
+    ghosts.send(atom->temperature, 1, 1);
 }
 
 /* ---------------------------------------------------------------------- */
 
 int FixTMSPHHeatBoundary::pack_forward_comm(int n, int *list, double *buf, int, int *)
 {
-  for (int k = 0; k < n; k++) buf[k] = atom->temperature[list[k]];
-  return n;
+  return ghosts.pack(n, list, buf);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHHeatBoundary::unpack_forward_comm(int n, int first, double *buf)
 {
-  std::copy_n(buf, n, atom->temperature + first);
+  ghosts.unpack(n, first, buf);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -15,6 +15,7 @@ FixStyle(tmsph/heat/boundary,FixTMSPHHeatBoundary);
 #define LMP_FIX_TMSPH_HEAT_BOUNDARY_H
 
 #include "fix_tmsph_heat.h"
+#include "tmsph_ghost_rows.h"
 
 namespace LAMMPS_NS {
 
@@ -45,6 +46,7 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock, public TMSPHRepo
   bool has_account = false;    ///< in the books of fix tmsph/heat
 
  private:
+  TMSPHGhostSender ghosts;
   enum Kind { TEMPERATURE, FLUX, CONVECTION, RADIATION } kind;
   enum Place { UNDECIDED, BODY, SURFACE } place;
   bool body;                // place as decided at init

@@ -250,7 +250,7 @@ void FixTMSPHHeat::share_multipliers()
   evened = any != 0;
   for (int a = 0; a < domain->dimension && evened; a++) {
     multipliers[a] = stored(MULTIPLIER + a);
-    share(multipliers[a]);
+    ghosts.complete(multipliers[a]);
   }
 }
 
@@ -264,9 +264,9 @@ void FixTMSPHHeat::follow()
   if (version != bonds->layout_version()) {
     version = bonds->layout_version();
     all_norms = stored(NORM);
-    share(all_norms);
+    ghosts.complete(all_norms);
     all_depths = stored(DEPTH);
-    share(all_depths);
+    ghosts.complete(all_depths);
     share_multipliers();
     share_layers();
     domain->dimension == 2 ? find_conductances<2>() : find_conductances<3>();

@@ -67,7 +67,7 @@ template <int D> void FixTMSPHHeat::even_out()
   const auto targets = pulls(false);
   const auto near = near_surface(targets);
   all_norms = stored(NORM);
-  share(all_norms);
+  ghosts.complete(all_norms);
 
   struct Spring {
     int j;
@@ -106,7 +106,7 @@ template <int D> void FixTMSPHHeat::even_out()
     for (int a = 0; a < D; a++) {
       all[a].resize(nlocal);
       for (int i = 0; i < nlocal; i++) all[a][i] = v[i * D + a];
-      share(all[a]);
+      ghosts.complete(all[a]);
     }
   };
   const auto dot = [&](const std::vector<double> &u, const std::vector<double> &v, bool scaled) {

@@ -76,7 +76,7 @@ template void FixTMSPHHeat::find_layers<3>(const std::vector<char> &, std::vecto
 
 template <int D> void FixTMSPHHeat::drop_steps(std::vector<double> &rough)
 {
-  share(rough);
+  ghosts.complete(rough);
   std::vector<double> more(rough.begin(), rough.begin() + atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++) {
     const int count = count_faces(i);

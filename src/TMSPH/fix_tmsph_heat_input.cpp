@@ -52,7 +52,7 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     substances(atom->ntypes + 1), rkl2(true), tables(false), every(1), time_scale(1.0),
     gap(atom->ntypes + 1, std::vector<double>(atom->ntypes + 1, 0.0)), crosses(false),
     friction(false), viscous(false), told(false), version(-1), removals(0), evened(false),
-    faced(false), what_to_send(TEMPERATURE), sent_layer(0), heats(false), cools(false), stable(0.0),
+    faced(false), ghosts(lmp, this), face_sent(NONE), heats(false), cools(false), stable(0.0),
     covered(0.0), fastest(0.0), comfortable(MAXSMALLINT / 2), applications(0), former_energy(0.0)
 {
   if (!atom->temperature_flag || !atom->vfrac_flag || !atom->rmass_flag)
@@ -431,7 +431,7 @@ double FixTMSPHHeat::memory_usage()
 {
   const size_t doubles = conductivities.capacity() + sums.capacity() + all_norms.capacity() +
       all_depths.capacity() + multipliers[0].capacity() * 3 +
-      faces.capacity() + shared.capacity() + source_of.capacity() + power.capacity();
+      faces.capacity() + source_of.capacity() + power.capacity();
   return doubles * sizeof(double) + conductances.capacity() * sizeof(float) +
       (held.capacity() + face_row.capacity()) * sizeof(int) +
       exchanges.capacity() * sizeof(Exchange);

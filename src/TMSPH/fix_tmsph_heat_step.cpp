@@ -7,7 +7,6 @@
 #include "fix_tmsph_heat.h"
 
 #include "atom.h"
-#include "comm.h"
 #include "fix_tmsph_bond.h"
 #include "pair_tmsph.h"
 #include "tmsph_heat_sweep.h"
@@ -142,5 +141,5 @@ void FixTMSPHHeat::put_temperatures(const std::vector<double> &y)
   for (int i = 0; i < atom->nlocal; i++)
     if (held[i] == NOT_HELD)
       atom->temperature[i] = substances[atom->type[i]].specific_heat.temperature_at(y[i]);
-  comm->forward_comm(this, 1);
+  ghosts.send(atom->temperature, 1, 1);
 }

@@ -114,9 +114,8 @@ void FixTMSPHHeat::share_layers()
   for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, count_faces(i));
   MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world);
   faced = most > 0;
-  what_to_send = LAYER;
-  for (sent_layer = 0; sent_layer < most; sent_layer++) comm->forward_comm(this, layer_size());
-  what_to_send = TEMPERATURE;
+  for (face_sent = 0; face_sent < most; face_sent++) comm->forward_comm(this, layer_size());
+  face_sent = NONE;
   faces.shrink_to_fit();
 }
 
@@ -124,36 +123,29 @@ void FixTMSPHHeat::share_layers()
 
 int FixTMSPHHeat::pack_forward_comm(int n, int *list, double *buf, int /*pbc_flag*/, int * /*pbc*/)
 {
-  if (what_to_send == LAYER) {
-    const int size = layer_size();
-    for (int k = 0; k < n; k++) {
-      const double *row = faces_of(list[k]);
-      if (row)
-        std::copy_n(row + sent_layer * size, size, buf + k * size);
-      else
-        std::fill_n(buf + k * size, size, 0.0);
-    }
-    return n * size;
+  if (face_sent == NONE) return ghosts.pack(n, list, buf);
+  const int size = layer_size();
+  for (int k = 0; k < n; k++) {
+    const double *row = faces_of(list[k]);
+    if (row)
+      std::copy_n(row + face_sent * size, size, buf + k * size);
+    else
+      std::fill_n(buf + k * size, size, 0.0);
   }
-  const double *values = what_to_send == SHARED ? shared.data() : atom->temperature;
-  for (int k = 0; k < n; k++) buf[k] = values[list[k]];
-  return n;
+  return n * size;
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHHeat::unpack_forward_comm(int n, int first, double *buf)
 {
-  if (what_to_send == LAYER) {
-    const int size = layer_size();
-    for (int i = first; i < first + n; i++, buf += size) {
-      if (!(buf[domain->dimension] > 0.0)) continue;
-      if (sent_layer == 0) make_faces(i);
-      std::copy_n(buf, size, &faces[(size_t) face_row[i] * faces_size() + sent_layer * size]);
-    }
-    return;
+  if (face_sent == NONE) return ghosts.unpack(n, first, buf);
+  const int size = layer_size();
+  for (int i = first; i < first + n; i++, buf += size) {
+    if (!(buf[domain->dimension] > 0.0)) continue;
+    if (face_sent == 0) make_faces(i);
+    std::copy_n(buf, size, &faces[(size_t) face_row[i] * faces_size() + face_sent * size]);
   }
-  std::copy_n(buf, n, (what_to_send == SHARED ? shared.data() : atom->temperature) + first);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -82,7 +82,7 @@ std::vector<char> FixTMSPHHeat::near_surface(const std::vector<Pull> &pulls)
 {
   std::vector<double> outermost;
   for (const Pull &p : pulls) outermost.push_back(p.outermost);
-  share(outermost);
+  ghosts.complete(outermost);
   std::vector<char> near(pulls.size());
   for (int i = 0; i < atom->nlocal; i++) {
     near[i] = outermost[i] != 0.0;
@@ -147,7 +147,7 @@ void FixTMSPHHeat::smooth(std::vector<Pull> &pulls, double least)
     }
   for (int pass = 0; pass < PASSES; pass++)
     for (int k = 0; k < 3; k++) {
-      share(smoothed[k]);
+      ghosts.complete(smoothed[k]);
       sums[k].assign(nlocal, 0.0);
       for (int i = 0; i < nlocal; i++) {
         if (pulls[i].area == 0.0) continue;
