@@ -14,9 +14,9 @@ STATE = "type x y z vx vy vz fx fy fz"
 
 
 class Pair:
-    def __init__(self, dimension, method="kernel"):
+    def __init__(self, dimension, method="kernel", friction=0.4, speed=SPEED, courant=0.3):
         two = dimension == 2
-        self.method = method
+        self.method, self.friction, self.speed = method, friction, speed
         self.radius = (8 if two else 4.5) * SPACING
         cells = (20,) * 2 if two else (12,) * 3
         ball = lattice("square" if two else "sc", cells, SPACING, centre=True)
@@ -32,12 +32,12 @@ class Pair:
         self.second = np.arange(len(self.cloud)) >= len(ball)
         if method == "segment":
             self.cloud.type = 1 + self.second
-        self.step = 0.3 * SPACING / WAVE
-        self.steps = int(20 * SPACING / SPEED / self.step)
+        self.step = courant * SPACING / WAVE
+        self.steps = int(20 * SPACING / speed / self.step)
 
     def fixes(self, scene):
-        scene.add(f"fix move all nve\nfix touch all tmsph/contact friction * * 0.4 "
-                  f"method {self.method}\n"
+        scene.add("fix move all nve\n"
+                  f"fix touch all tmsph/contact friction * * {self.friction} method {self.method}\n"
                   f"timestep {self.step:.17g}")
         return scene.add("thermo_style custom step etotal f_touch[7] f_touch[8]\n"
                          "thermo_modify norm no format float %.17g\nthermo 50")
@@ -49,7 +49,7 @@ class Pair:
         scene.lines[2] = scene.lines[2].replace(" s", " f")
         scene.add("change_box all x final -1 1 y final -1 1"
                   + (" z final -1 1" if self.cloud.dimension == 3 else ""))
-        v = np.where(self.second, -0.5, 0.5)[:, None] * np.array([SPEED, 0, 0])
+        v = np.where(self.second, -0.5, 0.5)[:, None] * np.array([self.speed, 0, 0])
         scene.set("vx", v[:, 0])
         return self.fixes(scene)
 

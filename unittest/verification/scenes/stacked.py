@@ -39,10 +39,11 @@ def exact(young):
 
 class Stacked:
     """low and high particles along the edges of the lower and the upper block, whose stiffness
-    is ratio times that of the lower; stiffness is the factor of the contact."""
+    is ratio times that of the lower; stiffness is the factor of the contact, words are others of
+    it; every: steps between values of its force."""
 
     def __init__(self, low, high, ratio=1.0, stiffness=1.0, options="", horizon=HORIZON,
-                 courant=0.4, passes=20, ranks=1):
+                 courant=0.4, passes=20, ranks=1, words="", every=500):
         cloud = stacked(low, high)
         rocks = [material(YOUNG, POISSON, 1000.0), material(YOUNG * ratio, POISSON, 1000.0)]
         for rock, n in zip(rocks, (low, high)):
@@ -59,7 +60,7 @@ class Stacked:
         scene.add(f"""variable down equal "-{push / way:.17g}*ternary(time<{way:.17g},1,0)"
 fix move all nve
 fix drag all viscous {drag:.6g}
-fix contact all tmsph/contact stiffness {stiffness}
+fix contact all tmsph/contact stiffness {stiffness} {words}
 fix floor all tmsph/wall line -1 0 1 0
 fix plate all tmsph/wall line 1 {height} -1 {height} velocity 0 v_down
 fix left all tmsph/wall line 0 1 0 -1
@@ -67,12 +68,13 @@ fix right all tmsph/wall line {EDGE} -1 {EDGE} 1
 compute p all tmsph/property/atom syy sxx
 timestep {step:.17g}""")
         scene.thermo("step time ke f_floor[2] f_plate[2] f_contact[2] f_contact[10] f_contact[8]",
-                     500)
+                     every)
         run = scene.add(f"run {int(1.4 * way / step)}").snapshot("end",
                                                                  "type x y c_p[*]").run(ranks)
         self.cost = run.cost
         should = exact([YOUNG, YOUNG * ratio])
-        floor, contact = -run.thermo("f_floor[2]")[-1], -run.thermo("f_contact[2]")[-1]
+        self.contact = -run.thermo("f_contact[2]")
+        floor, contact = -run.thermo("f_floor[2]")[-1], self.contact[-1]
         self.error = floor / should - 1
         self.imbalance = contact / floor - 1
         self.kinetic = run.thermo("KinEng")[-1] / (should * push)
