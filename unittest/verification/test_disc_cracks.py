@@ -2,9 +2,10 @@
 """The heated disc of examples/disc at 1 mm, and the expansions exchanged, or the inclusion not
 bonded. First break against the exact elastic field with the drawn strengths, lengths and number of
 the radial cracks, the circumferential crack, and that nothing flies apart or passes through
-another; the first break also quasi-static. Paths depend on the draw: what is tested are
-temperatures and counts: main cracks by 160 to 180 degrees, through by 220 to 260. Three draws, and
-cracks of the quasi-static and the unbonded disc up to the rim: test_disc_cracks_long.py.
+another; the first break also quasi-static, and by each criterion, at 2 mm. Paths depend on the
+draw: what is tested are temperatures and counts: main cracks by 160 to 180 degrees, through by 220
+to 260. Three draws, and cracks of the quasi-static and the unbonded disc up to the rim:
+test_disc_cracks_long.py.
 
 A particle is in a crack when a quarter of its bonds is broken: a straight crack takes
 two fifths of the bonds of the particles along it. Cracks are clusters of such particles
@@ -48,19 +49,33 @@ def closest(X, reach):
     return least
 
 
+def load(criterion, mean, radius, strength):
+    """Factor of stresses with such Mohr circles, tension positive, over those at which they break;
+    strength is the first value of the criterion: UCS, cohesion or tensile strength."""
+    ratio = 0.5 * (MI + (MI**2 + 4) ** 0.5)    # of the strengths in compression and tension
+    if criterion == "hoekbrown":    # a = 1/2, s = 1
+        pull = MI * (mean + radius)
+        return 0.5 * (pull + np.sqrt(pull**2 + 16 * radius**2)) / strength
+    if criterion == "mohrcoulomb":
+        return (radius - mean + ratio * (mean + radius)) / (2 * ratio**0.5 * strength)
+    return (mean + radius) / strength
+
+
 class Disc:
     """One run of the example, up to end, one of STOPS. friction: see there; None: bonded."""
 
-    def __init__(self, seed, swapped=False, friction=None, quasistatic=False, end=STOPS[-1]):
+    def __init__(self, seed, swapped=False, friction=None, quasistatic=False, end=STOPS[-1],
+                 criterion="hoekbrown", spacing=SPACING):
         touching = f"variable friction index {friction}\n" if friction is not None else ""
         stops = " ".join(str(T) for T in STOPS if T <= end)
         scene = Script(f"variable seed index {seed}\nvariable mi index {MI}\n{touching}"
+                       f"variable criterion index {criterion}\n"
                        f"variable swap index {'yes' if swapped else 'no'}\nvariable dump index 0\n"
                        # each restart file makes a quasi-static run begin its search anew
                        "variable restart index 0\n"
                        f"variable quasistatic index {'yes' if quasistatic else 'no'}\n"
                        f"variable until index {stops}\n"
-                       f"variable dx index {SPACING}\nshell cd examples/disc\ninclude in.disc\n"
+                       f"variable dx index {spacing}\nshell cd examples/disc\ninclude in.disc\n"
                        "shell cd ../..", {name: (ROOT / name).read_text() for name in EXAMPLE})
         scene.add("compute q all tmsph/property/atom x0 y0 strength\n"
                   "compute b all tmsph/bond/local id1 id2\nrun 0")
@@ -69,7 +84,7 @@ class Disc:
                   "write_dump all local bonds.local c_b[*]")
         run = scene.run()
         self.log = run.log
-        self.swapped, self.end = swapped, run.frame("end")
+        self.swapped, self.criterion, self.end = swapped, criterion, run.frame("end")
         self.X, self.strength = self.end("c_q[1] c_q[2]"), self.end["c_q[3]"]
         self.inside = self.end["type"] == 1
         self.bonds = np.stack(list(run.frame("bonds").values()), axis=1)[:, :2].astype(int) - 1
@@ -81,19 +96,18 @@ class Disc:
         self.kinetic = max(table["kinetic_J"].max() for table in tables)
         self.elastic = max(table["elastic_J"].max() for table in tables)
         self.r = np.hypot(*self.X.T)
-        cell = SPACING**2 * 3**0.5 / 2
+        cell = spacing**2 * 3**0.5 / 2
         self.a, self.R = np.sqrt(np.array([self.inside.sum(), len(self.X)]) * cell / np.pi)
 
     def exact_first_break(self):
         """The temperature at which the first bond fails in the exact field: the mean stress of
-        its ends, each with that of its own material, and their mean strength. a = 1/2, s = 1."""
+        its ends, each with that of its own material, and their mean strength."""
         stress = disc_stress(disc_materials(self.swapped), "strain", self.a, self.R, self.X,
                              self.inside)
         xx, yy, xy = 0.5 * (stress[self.bonds[:, 0]] + stress[self.bonds[:, 1]]).T
         radius = np.hypot(0.5 * (xx - yy), xy)
-        pull = MI * (0.5 * (xx + yy) + radius)
-        load = (pull + np.sqrt(pull**2 + 16 * radius**2)) / self.strength[self.bonds].sum(axis=1)
-        return 1 / load.max()
+        return 1 / load(self.criterion, 0.5 * (xx + yy), radius,
+                        self.strength[self.bonds].mean(axis=1)).max()
 
     def in_cracks(self, T):
         """Indices of the matrix particles in cracks, and their clusters."""
@@ -149,6 +163,19 @@ def first_break(report, what, disc):
                  abs(disc.T.min() / exact - 1), 0.04)
 
 
+def criteria(report):
+    """Of equal uniaxial strengths: breaks are in the order in which the curves lie where one
+    stress is tension, the other compression."""
+    discs = {criterion: Disc(SEEDS[0], end=STOPS[0], criterion=criterion, spacing=2 * SPACING)
+             for criterion in ("mohrcoulomb", "hoekbrown", "rankine")}
+    for criterion, disc in discs.items():
+        first_break(report, f"{criterion}, 2 mm", disc)
+        report.above(f"{criterion}, 2 mm: broken bonds", len(disc.T), 0)
+    first = [disc.T.min() for disc in discs.values()]
+    report.true("mohrcoulomb breaks first, rankine last", first == sorted(first),
+                "by their curves")
+
+
 def alike(report, quasistatic, dynamic):
     report.below("first break of the quasi-static disc against the dynamic one, difference",
                  abs(quasistatic.T.min() - dynamic.T.min()), 4)
@@ -200,4 +227,5 @@ if __name__ == "__main__":
     sound(report, "quasi-static to 120 degrees", quasistatic)
     circumferential(report, SEEDS[0])
     touching(report, SEEDS[0], bonded, end=160)
+    criteria(report)
     report.finish()
