@@ -64,7 +64,7 @@ void FixTMSPHBreak::init()
 
   bool others = false;
   for (Fix *fix : modify->get_fix_by_style("^tmsph/contact$")) {
-    const auto contact = dynamic_cast<PairTMSPH::Contact *>(fix);
+    const auto contact = dynamic_cast<TMSPHSurfaceContact *>(fix);
     others = others || contact->states() >> FixTMSPHBond::BROKEN & 1u;
   }
 

@@ -19,7 +19,7 @@
 
 namespace LAMMPS_NS {
 
-class FixTMSPHBreak : public Fix, public PairTMSPH::BreakTest, public TMSPHReporter {
+class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
  public:
   FixTMSPHBreak(class LAMMPS *, int, char **, std::unique_ptr<TMSPH::Criterion>);
   /// the one of this simulation, or nullptr

@@ -62,7 +62,7 @@ struct SegmentRow : ContactRow<2> {
 namespace LAMMPS_NS {
 
 class FixTMSPHContact : public Fix,
-                        public PairTMSPH::Contact,
+                        public TMSPHSurfaceContact,
                         public TMSPHPresses,
                         public TMSPHStoresIds {
  public:

@@ -209,7 +209,7 @@ void FixTMSPHHeat::commit(double duration, const std::vector<double> &y)
 
 void FixTMSPHHeat::collect_friction()
 {
-  std::vector<PairTMSPH::Contact::Rubbing> rubbings;
+  std::vector<TMSPHSurfaceContact::Rubbing> rubbings;
   pair->contact_of_surfaces()->rubbings(rubbings);
   rubbed.clear();
   for (const auto &r : rubbings) rubbed.push_back({r.i, 0.0, 0.0, r.work});
@@ -319,7 +319,7 @@ void FixTMSPHHeat::evaluate_sources()
 
 void FixTMSPHHeat::find_bridges()
 {
-  std::vector<PairTMSPH::Contact::Touch> touches;
+  std::vector<TMSPHSurfaceContact::Touch> touches;
   pair->contact_of_surfaces()->touches(touches);
   const auto k = [this](int i) {
     return substances[atom->type[i]].conductivity(atom->temperature[i]);

@@ -21,6 +21,7 @@ PairStyle(tmsph,PairTMSPH);
 #include "tmsph_dilatation.h"
 #include "tmsph_elastic.h"
 #include "tmsph_interface.h"
+#include "tmsph_participants.h"
 #include "tmsph_presses.h"
 
 #include <array>
@@ -32,57 +33,8 @@ PairStyle(tmsph,PairTMSPH);
 
 namespace LAMMPS_NS {
 
-class PairTMSPH : public Pair, public TMSPHBondUser {
+class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
  public:
-  /** What a fix that breaks bonds offers: asked between the two sweeps of a step. */
-  struct BreakTest {
-    /// true if the bonds are to be tested in this force evaluation
-    virtual bool due() const = 0;
-    /** Breaks what is due.
-        @param stress  own-side Cauchy stress of local and ghost particles, STRESS_ROW doubles each
-        @param touched local particles that lost a bond are added to it */
-    virtual void break_bonds(const double *stress, std::vector<int> &touched) = 0;
-    /** Forces between particles that no bond joins any more, added to atom->f of local particles.
-        @param virial six components to add to, or nullptr
-        @return this processor's share of their energy */
-    virtual double repel(double *virial) = 0;
-
-   protected:
-    ~BreakTest() = default;    // owned as a fix, never through this interface
-  };
-
-  /** What a fix for contact of surfaces offers: it acts after the bonds. */
-  struct Contact {
-    /// true if particles of these types, which are not bonded, may touch
-    virtual bool touching(int itype, int jtype) const = 0;
-    /// bit 1<<state for each state of a family that it sees to
-    virtual unsigned states() const = 0;
-    /// true if bodies touch in pairs of their families; else its forces reach the outermost
-    bool over_horizon() const { return states() >> FixTMSPHBond::UNBONDED & 1u; }
-    /// doubles that it sends per ghost and step where surfaces may touch
-    virtual int doubles_per_ghost() const = 0;
-
-    /** Two particles that pressed on each other in the last force evaluation. */
-    struct Touch {
-      int i, j;          ///< a local particle, and a local or ghost one
-      double weight;     ///< V_i V_j w_ij as the contact took it
-      double distance;   ///< of the two along the normal when the surfaces just touch
-    };
-    /// friction took this energy at local particle i since the last call: half of that of its pairs
-    struct Rubbing {
-      int i;
-      double work;
-    };
-    /** By ascending i, then by the partners' ids; a pair of two local particles comes twice. Only
-        if heat crosses contacts, see heat_crosses_contacts(). Both survive exchanges and restarts,
-        and are collective calls. */
-    virtual void touches(std::vector<Touch> &) = 0;
-    virtual void rubbings(std::vector<Rubbing> &) = 0;
-
-   protected:
-    ~Contact() = default;    // owned as a fix, never through this interface
-  };
-
   struct Material {
     double density = 0.0, reference_temperature = 0.0, expansion = 0.0;
     double young = 0.0, poisson = 0.0;
@@ -145,14 +97,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
     const TMSPH::Elastic &m = elastic(i);
     return m.lambda / (m.lambda + 2.0 * m.shear);
   }
-  void set_break_test(BreakTest *test) { break_test = test; }
-  bool bonds_may_break() const { return break_test != nullptr; }
-  void set_contact(Contact *given) { contact = given; }
-  /// nullptr without one
-  Contact *contact_of_surfaces() const { return contact; }
-  /// in the init of a fix that needs touches() or rubbings(): contact keeps them during this run
-  void heat_crosses_contacts() { contact_serves_heat = true; }
-  bool keeps_touches() const { return contact_serves_heat; }
   /// F - I of the local particles in the last force evaluation, [nlocal][dimension*dimension];
   /// only with a contact set
   const double *step_gradient() const { return gradient.data(); }
@@ -174,7 +118,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   /// true if no style has told this text yet
   bool news(const std::string &text) { return told.insert(text).second; }
   bool warned() const { return !warnings.empty(); }
-  unsigned states_in_contact() const { return contact ? contact->states() : 0u; }
   FixTMSPHBond *bonds() const { return bond_fix; }
   TMSPHBox &box() { return the_box; }
   /** For outputs, also between runs, when much may have changed (collective).
@@ -209,10 +152,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser {
   std::vector<Material> materials;                // by type
   std::vector<std::vector<char>> are_bonded;      // by type and type
   FixTMSPHBond *bond_fix;
-  BreakTest *break_test;
-  Contact *contact;
-  bool contact_serves_heat;
-
   int coefficients;                               // grows with pair_style and pair_coeff
 
   // of the stable time step: what it was estimated for last, and its value

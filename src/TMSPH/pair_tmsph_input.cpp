@@ -54,7 +54,7 @@ static_assert(sizeof(VERSION) <= VERSION_LENGTH, "the version fits into restart 
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
     Pair(lmp), cutoff(0.0), kernel(WendlandC2()), plane(Plane::STRAIN),
     thermal_mode(ThermalStrain::BOND), hourglass(0.1), dilatation(Dilatation::AUTO),
-    bond_fix(nullptr), break_test(nullptr), contact(nullptr), contact_serves_heat(false),
+    bond_fix(nullptr),
     coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0),
     mass_at_estimate(0.0), stiffness_at_estimate(0.0), stable_dt(0.0), intact_dt(0.0),
     reported(false), reported_timestep(false), stepped(false), box_moves(false), the_box(lmp),
@@ -311,9 +311,7 @@ void PairTMSPH::init_style()
   viscosity.smoothing_length = cutoff / support_in_smoothing_lengths(kernel);
   comm_forward = domain->dimension == 2 ? Rows<2>::FORCE : Rows<3>::FORCE;    // the longest
   prepared_version = surfaces.version = -1;
-  break_test = nullptr;    // fixes that break bonds or let surfaces touch say so in their init()
-  contact = nullptr;
-  contact_serves_heat = false;
+  forget_participants();
 
   bond_fix = dynamic_cast<FixTMSPHBond *>(modify->get_fix_by_id(FixTMSPHBond::ID));
   if (!bond_fix)

@@ -107,7 +107,7 @@ PairTMSPH::Span PairTMSPH::near(int i)
 
 static bool reaches_outermost(Fix *fix)
 {
-  const auto *pairs = dynamic_cast<PairTMSPH::Contact *>(fix);
+  const auto *pairs = dynamic_cast<TMSPHSurfaceContact *>(fix);
   return !pairs || !pairs->over_horizon();
 }
 
