@@ -8,7 +8,7 @@ from importlib.util import find_spec
 
 from scenes.beam import Beam
 from scenes.clamped import Wavy
-from scenes.disc import Disc, disc_materials
+from scenes.disc import Disc
 from scenes.dynamics import Spinning
 from scenes.expansion import Expansion
 from scenes.hoekbrown import Loading
@@ -17,6 +17,7 @@ from scenes.slide import Slide
 from scenes.sphere import Ball
 from scenes.stacked import Stacked
 from scenes.waves import StandingWave
+from tmsph_testing import disc_materials
 
 from .measure import ROOT
 

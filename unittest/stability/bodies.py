@@ -1,8 +1,10 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Bodies, closed forms and equilibria that several cases share."""
 
-from cases import *
-from tmsph_testing import *
+import numpy as np
+
+from cases import largest, unchecked_step
+from tmsph_testing import HORIZON, Scene, Script, lattice, material
 
 SPACING = 1e-3
 ROCK = material()

@@ -24,7 +24,7 @@ import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "verification"))
 
-from tmsph_testing import Report, Script
+from tmsph_testing import Script, main
 
 # test: also a test of ./tmsph test; quick: in every report; full: in a report with --full
 LEVELS = ("test", "quick", "full")
@@ -195,17 +195,23 @@ def last_of(holds):
 
 # ---- tests ----
 
+def judged(one):
+    """A case of a report."""
+    def judge(report):
+        record = one.run()
+        bad = {end: record[end] for end in ENDS if end not in GOOD and record[end]}
+        report.true(f"{one.name}: {one.criterion}", record["met"], record["limit"])
+        report.true(f"{one.name}: all runs end well", not bad,
+                    ", ".join(f"{n} {end}" for end, n in bad.items()) or record["beyond"])
+
+    judge.__name__ = one.function.__name__
+    return judge
+
+
 def tested(module):
     """Runs the cases of a file that are tests, and ends the test."""
-    report = Report()
-    for one in KNOWN:
-        if one.subject == module.__name__ and one.level == "test":
-            record = one.run()
-            bad = {end: record[end] for end in ENDS if end not in GOOD and record[end]}
-            report.true(f"{one.name}: {one.criterion}", record["met"], record["limit"])
-            report.true(f"{one.name}: all runs end well", not bad,
-                        ", ".join(f"{n} {end}" for end, n in bad.items()) or record["beyond"])
-    report.finish()
+    main(*(judged(one) for one in KNOWN
+           if one.subject == module.__name__ and one.level == "test"))
 
 
 # ---- the whole suite ----

@@ -1,7 +1,11 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Contact of bodies with each other and with walls, and of dust."""
 
-from bodies import *
+import numpy as np
+
+from bodies import E, RHO, ROCK, SPACING, blocks, noise, stresses, wave_speed
+from cases import GOOD, Found, case, last_of, marching
+from tmsph_testing import Cloud, Scene, lattice, material
 
 C = wave_speed(ROCK)
 DT = 0.4 * SPACING / C

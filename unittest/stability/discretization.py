@@ -2,7 +2,12 @@
 """Clouds of particles and the options that act on them: hourglass control, kernels and horizons,
 jitter, volumes, thickness."""
 
-from bodies import *
+import numpy as np
+
+from bodies import (E, ROCK, SPACING, beams, bending_error, blocks, law_stress, noise, stated_step,
+                    stresses, wave_speed)
+from cases import COLUMNS, FIELDS, Found, case, marching
+from tmsph_testing import HORIZON, Cloud, Scene, lattice, material
 
 BENDING = "bending stress of a bar, 12 rows in 2-D, 8 in 3-D"
 

@@ -1,7 +1,12 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Bodies in fast motion and long runs."""
 
-from bodies import *
+import numpy as np
+
+from bodies import (E, RHO, ROCK, SPACING, Copy, blocks, equilibrium, moved, stated_step, stresses,
+                    wave_speed)
+from cases import GOOD, Found, case, last_of, marching
+from tmsph_testing import HORIZON, Scene, Script, disc_materials, lattice, material
 
 C = wave_speed(ROCK)
 STEP = 0.4 * SPACING / C

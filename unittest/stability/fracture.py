@@ -3,7 +3,11 @@
 
 from math import gamma
 
-from bodies import *
+import numpy as np
+
+from bodies import E, ROCK, SPACING, blocks, rim, roomy, stresses, stretched, wave_speed
+from cases import GOOD, Found, case, marching
+from tmsph_testing import HORIZON, Cloud, Scene, disc_materials, lattice, material
 
 C = wave_speed(ROCK)
 HEAVY = "hourglass 0.5 viscosity 1 2"    # as advised where much breaks

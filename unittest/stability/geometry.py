@@ -1,7 +1,12 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Arrangements of particles that cannot tell strains apart, or hardly."""
 
-from bodies import *
+import numpy as np
+
+from bodies import (E, ROCK, SPACING, Copy, blocks, law_stress, roomy, sheared, stated_step,
+                    stresses, stretched, wave_speed)
+from cases import GOOD, Found, case, last_of, marching
+from tmsph_testing import Cloud, Scene, lattice, material
 
 C = wave_speed(ROCK)
 DT = 0.2 * SPACING / C

@@ -1,7 +1,11 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Conduction: steps, contrasts, boundaries, cracks."""
 
-from bodies import *
+import numpy as np
+
+from bodies import E, RHO, ROCK, SPACING, blocks, wave_speed
+from cases import GOOD, Found, case, last_of, marching
+from tmsph_testing import Scene, disc_materials, lattice, material
 
 K, CAPACITY = 2.9, 850.0
 EXPANDING = material(expansion=1e-5)

@@ -2,7 +2,12 @@
 """Elastic bodies in equilibrium: stiffness, Poisson's ratio, strains, options and clouds at their
 limits."""
 
-from bodies import *
+import numpy as np
+
+from bodies import (E, ROCK, SPACING, beams, bending_error, blocks, ends, equilibrium, law_stress,
+                    sheared, stays, stresses, stretched, wave_stability)
+from cases import Found, case, last_of
+from tmsph_testing import HORIZON, Scene, contact_pressure, disc_materials, lattice, material
 
 
 @case("turned inside out", "a block is squeezed along x to the stretch s = 0.5, 0.1, ..., 0, -0.5",

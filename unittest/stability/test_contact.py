@@ -5,4 +5,5 @@
 import contact
 from cases import tested
 
-tested(contact)
+if __name__ == "__main__":
+    tested(contact)

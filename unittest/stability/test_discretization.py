@@ -5,4 +5,5 @@
 import discretization
 from cases import tested
 
-tested(discretization)
+if __name__ == "__main__":
+    tested(discretization)

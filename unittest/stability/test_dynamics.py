@@ -5,4 +5,5 @@
 import dynamics
 from cases import tested
 
-tested(dynamics)
+if __name__ == "__main__":
+    tested(dynamics)

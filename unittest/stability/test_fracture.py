@@ -5,4 +5,5 @@
 import fracture
 from cases import tested
 
-tested(fracture)
+if __name__ == "__main__":
+    tested(fracture)

@@ -5,4 +5,5 @@
 import geometry
 from cases import tested
 
-tested(geometry)
+if __name__ == "__main__":
+    tested(geometry)

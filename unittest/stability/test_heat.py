@@ -5,4 +5,5 @@
 import heat
 from cases import tested
 
-tested(heat)
+if __name__ == "__main__":
+    tested(heat)

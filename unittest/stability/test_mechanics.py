@@ -5,4 +5,5 @@
 import mechanics
 from cases import tested
 
-tested(mechanics)
+if __name__ == "__main__":
+    tested(mechanics)

@@ -5,4 +5,5 @@
 import timestep
 from cases import tested
 
-tested(timestep)
+if __name__ == "__main__":
+    tested(timestep)

@@ -5,4 +5,5 @@
 import units
 from cases import tested
 
-tested(units)
+if __name__ == "__main__":
+    tested(units)

@@ -2,7 +2,12 @@
 """The stable time step: that which is stated against that which is, intact and broken, and what
 happens beyond it."""
 
-from bodies import *
+import numpy as np
+
+from bodies import (E, RHO, ROCK, SPACING, Copy, blocks, grows, largest_step, noise, stated_step,
+                    wave_speed)
+from cases import Found, case, marching, unchecked_step
+from tmsph_testing import HORIZON, Cloud, Scene, lattice, material
 
 TIGHT = "largest stable step at least the stated one and at most {} of it"
 

@@ -1,7 +1,11 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """The same scenes at all sizes and in all systems of units."""
 
-from bodies import *
+import numpy as np
+
+from bodies import E, RHO, ROCK, blocks, stresses, wave_speed
+from cases import Found, case, marching
+from tmsph_testing import Scene, lattice, material
 
 # metre, kilogram and second in the units of LAMMPS
 SYSTEMS = {"si": (1.0, 1.0, 1.0), "cgs": (1e2, 1e3, 1.0), "micro": (1e6, 1e15, 1e6),

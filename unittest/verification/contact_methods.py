@@ -48,7 +48,8 @@ def energies(method):
     return ", ".join(f"{x:.4f}" for x in after)
 
 
-blocks()
-row("unbonded inclusion: sum of contact forces, pressure in the core/exact", inclusion)
-row("oblique impact without friction or viscosity, 0.5, 1, 2, 4 m/s, time steps 0.3, 0.15, 0.075: "
-    "energy after it/before", energies)
+if __name__ == "__main__":
+    blocks()
+    row("unbonded inclusion: sum of contact forces, pressure in the core/exact", inclusion)
+    row("oblique impact without friction or viscosity, 0.5, 1, 2, 4 m/s, time steps 0.3, 0.15, "
+        "0.075: energy after it/before", energies)

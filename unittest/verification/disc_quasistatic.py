@@ -5,7 +5,10 @@ strengths, and minimizers on the elastic disc. A study, without bars; some minut
 
 import re
 
-from test_disc_cracks import *
+import numpy as np
+
+from test_disc_cracks import SEEDS, SPACING, Disc
+from tmsph_testing import Scene, disc_materials, lattice
 
 RESIDUALS = (1e-3, 1e-4, 1e-6)    # in units of 15 MPa on the section of a particle
 STYLES = {"cg": "line forcezero dmax {dmax}", "fire": "dmax {dmax} tmax 1.0",

@@ -7,7 +7,11 @@ steps of the longest stable length, so equal errors are those of the time steps.
 RKL2 steps: how many times fewer applications of the operator and how much less time for heat than
 with explicit steps. It takes about ten minutes."""
 
-from heat_scenes import *
+import sys
+
+import numpy as np
+
+from heat_scenes import SIDES, UNIFORM, Heated, dirichlet, rms, robin, slab
 
 N, MANY = 316, 1600
 CASES = {    # time, boundaries, temperature at first, exact solution, numbers of steps
@@ -36,15 +40,17 @@ def longest_step(case):
     return scene.steps(1e-9, 1, "step f_heat[6]").run().thermo("f_heat[6]")[-1]
 
 
-for case in sys.argv[1:] or CASES:
-    time, *_, numbers = CASES[case]
-    lattice, floor, *_ = solve(case, "rkl2", MANY)
-    print(f"{case}: {MANY} steps of RKL2: whole error {floor:.3e}", flush=True)
-    T, whole, sweeps, seconds = solve(case, "explicit",
-                                      int(np.ceil(time / (0.999 * longest_step(case)))))
-    print(f"{sweeps:.0f} explicit steps: error {rms(T - lattice):.3e}, whole {whole:.3e}",
-          flush=True)
-    for steps in numbers:
-        T, whole, s, t = solve(case, "rkl2", steps)
-        print(f"{steps} steps of RKL2: error {rms(T - lattice):.3e}, whole {whole:.3e}, "
-              f"{sweeps / s:.1f} times fewer sweeps, {seconds / t:.1f} times less time", flush=True)
+if __name__ == "__main__":
+    for case in sys.argv[1:] or CASES:
+        time, *_, numbers = CASES[case]
+        lattice, floor, *_ = solve(case, "rkl2", MANY)
+        print(f"{case}: {MANY} steps of RKL2: whole error {floor:.3e}", flush=True)
+        T, whole, sweeps, seconds = solve(case, "explicit",
+                                          int(np.ceil(time / (0.999 * longest_step(case)))))
+        print(f"{sweeps:.0f} explicit steps: error {rms(T - lattice):.3e}, whole {whole:.3e}",
+              flush=True)
+        for steps in numbers:
+            T, whole, s, t = solve(case, "rkl2", steps)
+            print(f"{steps} steps of RKL2: error {rms(T - lattice):.3e}, whole {whole:.3e}, "
+                  f"{sweeps / s:.1f} times fewer sweeps, {seconds / t:.1f} times less time",
+                  flush=True)

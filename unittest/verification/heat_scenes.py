@@ -2,7 +2,9 @@
 """What the tests of heat conduction share: bodies that conduct, and exact solutions. All is in
 units of a slab of unit thickness with k = rho = c = 1 unless a test says otherwise."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import LATTICES, Scene, lattice, material
 
 SOLID = material(young=1.0, poisson=0.2, density=1.0)
 UNIFORM = "conductivity * 1 specific/heat * 1"

@@ -11,7 +11,7 @@ import sys
 import time
 from pathlib import Path
 
-from resume import newest, restart_step
+from resume import restart_step
 from tmsph_testing import ALONE, read_thermo
 
 ROOT = Path(__file__).resolve().parents[2]

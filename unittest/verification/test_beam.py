@@ -4,7 +4,8 @@ Timoshenko's beam, in plane strain and plane stress, with refinement. The beam
 theory itself is good to 1e-3 here. Free surfaces make the error of first order
 at least."""
 
-from scenes.beam import *
+from scenes.beam import Beam
+from tmsph_testing import main, order
 
 
 def check(report, plane):
@@ -18,7 +19,13 @@ def check(report, plane):
     report.above(f"plane {plane}: order", order(errors)[-1], 1.0)
 
 
-report = Report()
-check(report, "strain")
-check(report, "stress")
-report.finish()
+def plane_strain(report):
+    check(report, "strain")
+
+
+def plane_stress(report):
+    check(report, "stress")
+
+
+if __name__ == "__main__":
+    main(plane_strain, plane_stress)

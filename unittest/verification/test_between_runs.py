@@ -1,7 +1,9 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """What an input may do between two runs, and in which order it may define things."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Cloud, Scene, Script, lattice, main, material
 
 SPACING = 1e-3
 REST = "velocity all set 0 0 0"
@@ -244,18 +246,7 @@ def matter(report):
     report.below("energy with other elastic constants", abs(energies[2] / energies[0] - 1), 1e-12)
 
 
-report = Report()
-matter(report)
-forget_contact(report)
-meet_after_reset(report)
-leave_the_group(report)
-leave_the_wall(report)
-delete_without_new_ids(report)
-plane(report)
-late_contact(report)
-balanced(report)
-without_setup(report)
-order_of_boundaries(report)
-energies_in_variables(report)
-books(report)
-report.finish()
+if __name__ == "__main__":
+    main(matter, forget_contact, meet_after_reset, leave_the_group, leave_the_wall,
+         delete_without_new_ids, plane, late_contact, balanced, without_setup, order_of_boundaries,
+         energies_in_variables, books)

@@ -2,7 +2,9 @@
 """A box that fixes change while bonds or contacts reach across its periodic faces: fields, lists
 and forces are those of homogeneous deformation everywhere."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, main, material
 
 SPACING, RATE = 1e-3, 1000.0
 YOUNG, POISSON = 40e9, 0.25
@@ -111,9 +113,5 @@ def contact(report):
             report.below(f"contact {what}: {name}", error, 1e-9)
 
 
-report = Report()
-remapped_positions(report)
-pressed(report)
-remapped_velocities(report)
-contact(report)
-report.finish()
+if __name__ == "__main__":
+    main(remapped_positions, pressed, remapped_velocities, contact)

@@ -4,7 +4,10 @@ pressure that LAMMPS gets from the virial: clamped and half-clamped heating,
 and finite strain without heat. The lattice is regular, so every particle is in
 equilibrium where it stands and the values are exact up to round-off."""
 
-from scenes.clamped import *
+import numpy as np
+
+from scenes.clamped import ALPHA, E, NU, STATES, STRESSES, State, Wavy
+from tmsph_testing import main, order
 
 SCATTER = 1e-7    # positions of 10 spacings rounded to 2^-53, over a strain of 1e-7, is 1e-8
 
@@ -86,9 +89,5 @@ def wavy(report):
         report.within(f"wavy heating, {plane}: order", order(errors)[0], 1.9, 2.2)
 
 
-report = Report()
-blocked(report)
-half_blocked(report)
-finite(report)
-wavy(report)
-report.finish()
+if __name__ == "__main__":
+    main(blocked, half_blocked, finite, wavy)

@@ -5,7 +5,9 @@ follows it exactly. What is measured is the jump of the displacements across the
 through those on either side of it, in units of the strain and the spacing, and the stress on the
 plane of the cut of the particles near it, in units of the exact one."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, lattice, main, material
 
 SPACING, STRAIN, STUCK = 1e-3, 1e-3, 10.0
 ROCK = material()
@@ -95,19 +97,25 @@ def judge(report, what, block, shear):
         report.within(f"{single}, most", s.max(), 0.9, 1.1)
 
 
-report = Report()
-for name, cells in (("square", (30, 30)), ("hex", (30, 17))):
-    for angle in (0, 15, 30, 45):
-        for shear in (False, True):
-            if not shear and angle in (15, 30):
-                continue    # pressure is a part of both
-            block = Block(name, cells, angle)
-            block.strained(shear, 1000)
-            what = f"{name}, {angle} degrees, {'sheared' if shear else 'pressed'}"
-            judge(report, what, block, shear)
-for name, cells, angle in (("sc", (12, 12, 22), 0), ("sc", (14, 14, 22), 25),
-                           ("fcc", (9, 9, 16), 0), ("fcc", (9, 9, 16), 25)):
-    block = Block(name, cells, angle)
-    block.strained(True, 400)
-    judge(report, f"3-D, {name}, {angle} degrees, sheared", block, True)
-report.finish()
+def in_2d(report):
+    for name, cells in (("square", (30, 30)), ("hex", (30, 17))):
+        for angle in (0, 15, 30, 45):
+            for shear in (False, True):
+                if not shear and angle in (15, 30):
+                    continue    # pressure is a part of both
+                block = Block(name, cells, angle)
+                block.strained(shear, 1000)
+                what = f"{name}, {angle} degrees, {'sheared' if shear else 'pressed'}"
+                judge(report, what, block, shear)
+
+
+def in_3d(report):
+    for name, cells, angle in (("sc", (12, 12, 22), 0), ("sc", (14, 14, 22), 25),
+                               ("fcc", (9, 9, 16), 0), ("fcc", (9, 9, 16), 25)):
+        block = Block(name, cells, angle)
+        block.strained(True, 400)
+        judge(report, f"3-D, {name}, {angle} degrees, sheared", block, True)
+
+
+if __name__ == "__main__":
+    main(in_2d, in_3d)

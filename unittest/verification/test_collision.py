@@ -5,7 +5,9 @@ of finer spacing as the other body. Momentum and angular momentum, energy, that 
 through the other; and the same to the last bit on any number of processors, in one run or
 several, and continued from a restart written while they touch."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Cloud, Scene, Script, lattice, main, material
 
 SPACING, SPEED = 0.01, 4.0
 ROCK = material(10e6, 0.2, 1000.0)
@@ -112,9 +114,17 @@ def collide(report, dimension, method="kernel"):
                      different(run, reference), 1)
 
 
-if __name__ == "__main__":
-    report = Report()
+def by_pairs(report):
     collide(report, 2)
+
+
+def by_segments(report):
     collide(report, 2, "segment")
+
+
+def in_3d(report):
     collide(report, 3)
-    report.finish()
+
+
+if __name__ == "__main__":
+    main(by_pairs, by_segments, in_3d)

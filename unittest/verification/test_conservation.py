@@ -5,7 +5,9 @@ Bars are round-off of the forces' sums."""
 
 from math import fsum
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, main, material
 
 SPACING = 1e-3
 MATERIALS = [material(40e9, 0.3, 2700, 1.5e-5), material(10e9, 0.2, 2000, -3e-5)]
@@ -49,12 +51,15 @@ def check(report, dimension, options, viscous=False, materials=MATERIALS):
     report.below(f"{what}: torque", moment, 1e-13)
 
 
-report = Report()
-for dimension in CLOUDS:
-    for options in OPTIONS:
-        if dimension == "2-D" or "plane" not in options:
-            check(report, dimension, options)
-    check(report, dimension, "", viscous=True)
-    for options in ("", "thermal strain"):
-        check(report, dimension, options, viscous=True, materials=SOFT)
-report.finish()
+def conserved(report):
+    for dimension in CLOUDS:
+        for options in OPTIONS:
+            if dimension == "2-D" or "plane" not in options:
+                check(report, dimension, options)
+        check(report, dimension, "", viscous=True)
+        for options in ("", "thermal strain"):
+            check(report, dimension, options, viscous=True, materials=SOFT)
+
+
+if __name__ == "__main__":
+    main(conserved)

@@ -4,7 +4,9 @@ plates. With much friction it is as stiff as the intact block. With the crack in
 degrees it holds when the angle of friction is 6 % larger, and slides until the load is gone
 when it is 6 % smaller."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, main, material
 
 EDGE, N, STRAIN = 0.1, 20, 1e-3
 SPACING = EDGE / N
@@ -43,19 +45,22 @@ timestep {step:.17g}""")
     return run.thermo("f_plate[2]")[-1], (moved[up].mean() - moved[~up].mean()) / SPACING
 
 
-report = Report()
-for name in ("square", "hex"):
-    intact = press(None, 0.0, name)[0]
-    for angle in (0.0, 20.0):
-        force, slip = press(angle, 10.0, name)
-        report.below(f"{name}, crack at {angle:g} degrees, stuck: force against the intact block",
-                     abs(force / intact - 1), 0.02)
-    report.note(f"{name}, crack at 45 degrees, stuck: force against the intact block",
-                f"{press(45.0, 10.0, name)[0] / intact - 1:.4f}")
-    force, slip = press(20.0, np.tan(np.radians(20 * 1.06)), name)
-    report.above(f"{name}, friction 6 % above: holds, force against the intact block",
-                 force / intact, 0.98)
-    force, slip = press(20.0, np.tan(np.radians(20 * 0.94)), name)
-    report.below(f"{name}, friction 6 % below: slides, force left", force / intact, 0.5)
-    report.note(f"{name}, its slip in spacings", f"{slip:.3f}")
-report.finish()
+def cracked(report):
+    for name in ("square", "hex"):
+        intact = press(None, 0.0, name)[0]
+        for angle in (0.0, 20.0):
+            force, slip = press(angle, 10.0, name)
+            report.below(f"{name}, crack at {angle:g} degrees, stuck: force against the intact "
+                         "block", abs(force / intact - 1), 0.02)
+        report.note(f"{name}, crack at 45 degrees, stuck: force against the intact block",
+                    f"{press(45.0, 10.0, name)[0] / intact - 1:.4f}")
+        force, slip = press(20.0, np.tan(np.radians(20 * 1.06)), name)
+        report.above(f"{name}, friction 6 % above: holds, force against the intact block",
+                     force / intact, 0.98)
+        force, slip = press(20.0, np.tan(np.radians(20 * 0.94)), name)
+        report.below(f"{name}, friction 6 % below: slides, force left", force / intact, 0.5)
+        report.note(f"{name}, its slip in spacings", f"{slip:.3f}")
+
+
+if __name__ == "__main__":
+    main(cracked)

@@ -5,7 +5,11 @@ the Cauchy stress is known exactly; at 0.999 of the criterion no bond breaks, at
 (2002), written down here again; so are Mohr-Coulomb and Rankine, whose states are
 blocks side by side in one run."""
 
-from scenes.hoekbrown import *
+import numpy as np
+
+from scenes.hoekbrown import (BLOCKS, MI, ROCK, SPACING, STRENGTH, Block, constants, critical,
+                              stretches, turned)
+from tmsph_testing import Cloud, Scene, lattice, main
 
 BELOW, ABOVE = 0.999, 1.001
 STRESS = 1e-7    # closed-form principal values lose half of the digits where two of them coincide
@@ -146,10 +150,7 @@ def other_laws(report):
 
 
 COHESION, FRICTION, TENSILE = 25e6, 50.0, 9e6
-report = Report()
-other_laws(report)
-closed_forms(report)
-states(report)
-two_rocks(report)
-scattered(report)
-report.finish()
+
+
+if __name__ == "__main__":
+    main(other_laws, closed_forms, states, two_rocks, scattered)

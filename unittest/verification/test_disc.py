@@ -7,7 +7,8 @@ over sigma_r and sigma_theta; radii are those of equal area. The order counts fr
 1 to 0.5 mm: at 2 mm the layer of one horizon at the interface reaches into the
 far field."""
 
-from scenes.disc import *
+from scenes.disc import Disc
+from tmsph_testing import disc_materials, main, order
 
 
 def describe(report, what, disc, judged):
@@ -24,18 +25,27 @@ def describe(report, what, disc, judged):
                     f"{disc.error:.4f}, {disc.far:.5f}, {disc.ring_hoop:.4f}, {disc.core:.4f}")
 
 
-report = Report()
-discs = []
-for spacing in (2e-3, 1e-3, 0.5e-3):
-    discs.append(Disc("strain", disc_materials(False), spacing))
-    describe(report, f"plane strain, dx = {spacing * 1e3:g} mm", discs[-1], spacing <= 1e-3)
-report.note("orders of the L2 error", order([d.error for d in discs]).round(2))
-report.note("orders of the far error", order([d.far for d in discs]).round(3))
-report.above("order of the far error", order([d.far for d in discs])[-1], 1.0)
-for plane, swapped in (("strain", True), ("stress", False), ("stress", True)):
-    describe(report, f"plane {plane}{', expansions swapped' if swapped else ''}, dx = 1 mm",
-             Disc(plane, disc_materials(swapped), 1e-3), True)
-# the unit of the residual is the force of 1/4000 of Young's modulus, 5 MPa; p is 0.09 MPa
-describe(report, "quasi-static, plane strain, dx = 1 mm",
-         Disc("strain", disc_materials(False), 1e-3, quasistatic=2e-7), True)
-report.finish()
+def spacings(report):
+    discs = []
+    for spacing in (2e-3, 1e-3, 0.5e-3):
+        discs.append(Disc("strain", disc_materials(False), spacing))
+        describe(report, f"plane strain, dx = {spacing * 1e3:g} mm", discs[-1], spacing <= 1e-3)
+    report.note("orders of the L2 error", order([d.error for d in discs]).round(2))
+    report.note("orders of the far error", order([d.far for d in discs]).round(3))
+    report.above("order of the far error", order([d.far for d in discs])[-1], 1.0)
+
+
+def planes(report):
+    for plane, swapped in (("strain", True), ("stress", False), ("stress", True)):
+        describe(report, f"plane {plane}{', expansions swapped' if swapped else ''}, dx = 1 mm",
+                 Disc(plane, disc_materials(swapped), 1e-3), True)
+
+
+def quasistatic(report):
+    # the unit of the residual is the force of 1/4000 of Young's modulus, 5 MPa; p is 0.09 MPa
+    describe(report, "quasi-static, plane strain, dx = 1 mm",
+             Disc("strain", disc_materials(False), 1e-3, quasistatic=2e-7), True)
+
+
+if __name__ == "__main__":
+    main(spacings, planes, quasistatic)

@@ -12,7 +12,12 @@ two fifths of the bonds of the particles along it. Cracks are clusters of such p
 in the matrix, nearer than 1.8 spacings (the second neighbors). A main crack crosses the
 circle 10 mm outside the interface."""
 
-from tmsph_testing import *
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from tmsph_testing import HORIZON, Script, disc_materials, disc_stress, main
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ("examples/disc/in.disc", "potentials/mu2022.tmsph")    # it includes the second
@@ -148,6 +153,11 @@ class Disc:
         return len(np.unique(clusters(self.X[ring], LINK)))
 
 
+@cache
+def drawn(seed, quasistatic):
+    return Disc(seed, quasistatic=quasistatic)
+
+
 def sound(report, what, disc):
     report.below(f"{what}: largest kinetic energy/largest potential energy",
                  disc.kinetic / disc.elastic, 1.0)
@@ -182,7 +192,7 @@ def alike(report, quasistatic, dynamic):
 
 
 def radial(report, seed, quasistatic=False):
-    disc = Disc(seed, quasistatic=quasistatic)
+    disc = drawn(seed, quasistatic)
     what = f"seed {seed}{', quasi-static' if quasistatic else ''}"
     first_break(report, what, disc)
     report.below(f"{what}: crack 5 mm beyond the interface at",
@@ -191,7 +201,6 @@ def radial(report, seed, quasistatic=False):
                  disc.temperature_at(disc.R - 2 * SPACING), 260)
     report.within(f"{what}: main cracks", disc.main_cracks(), 2, 5)
     sound(report, what, disc)
-    return disc
 
 
 def circumferential(report, seed):
@@ -206,9 +215,9 @@ def circumferential(report, seed):
     sound(report, what, disc)
 
 
-def touching(report, seed, bonded, end=STOPS[-1]):
+def touching(report, seed, end=STOPS[-1]):
     """An interface that touches sheds the tension that a bonded one passes on."""
-    disc = Disc(seed, friction=0.3, end=end)
+    bonded, disc = drawn(seed, False), Disc(seed, friction=0.3, end=end)
     what = f"friction 0.3, seed {seed}"
     report.below(f"{what}: broken bonds/those of the bonded disc at {end} degrees",
                  len(disc.T) / np.count_nonzero(bonded.T <= end), 1)
@@ -218,14 +227,25 @@ def touching(report, seed, bonded, end=STOPS[-1]):
     sound(report, what, disc)
 
 
-if __name__ == "__main__":
-    report = Report()
-    bonded = radial(report, SEEDS[0])
-    quasistatic = Disc(SEEDS[0], quasistatic=True, end=120)
-    first_break(report, "quasi-static to 120 degrees", quasistatic)
-    alike(report, quasistatic, bonded)
-    sound(report, "quasi-static to 120 degrees", quasistatic)
+def bonded(report):
+    radial(report, SEEDS[0])
+
+
+def quasistatic(report):
+    """Up to the first cracks."""
+    disc = Disc(SEEDS[0], quasistatic=True, end=120)
+    first_break(report, "quasi-static to 120 degrees", disc)
+    alike(report, disc, drawn(SEEDS[0], False))
+    sound(report, "quasi-static to 120 degrees", disc)
+
+
+def exchanged(report):
     circumferential(report, SEEDS[0])
-    touching(report, SEEDS[0], bonded, end=160)
-    criteria(report)
-    report.finish()
+
+
+def unbonded(report):
+    touching(report, SEEDS[0], end=160)
+
+
+if __name__ == "__main__":
+    main(bonded, quasistatic, exchanged, unbonded, criteria)

@@ -2,10 +2,23 @@
 """The discs of test_disc_cracks.py for three draws of the strengths, and to the end also one that
 is quasi-static and one whose inclusion is not bonded."""
 
-from test_disc_cracks import *
+from test_disc_cracks import SEEDS, alike, drawn, radial, touching
+from tmsph_testing import main
 
-report = Report()
-bonded = [radial(report, seed) for seed in SEEDS]
-alike(report, radial(report, SEEDS[0], quasistatic=True), bonded[0])
-touching(report, SEEDS[0], bonded[0])
-report.finish()
+
+def bonded(report):
+    for seed in SEEDS:
+        radial(report, seed)
+
+
+def quasistatic(report):
+    radial(report, SEEDS[0], quasistatic=True)
+    alike(report, drawn(SEEDS[0], True), drawn(SEEDS[0], False))
+
+
+def unbonded(report):
+    touching(report, SEEDS[0])
+
+
+if __name__ == "__main__":
+    main(bonded, quasistatic, unbonded)

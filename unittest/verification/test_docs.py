@@ -12,6 +12,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from tmsph_testing import main
+
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE, PAGES, MATERIALS = ROOT / "src/TMSPH", ROOT / "doc/src", ROOT / "potentials"
 EIGEN = Path("/usr/include/eigen3")
@@ -235,8 +237,8 @@ def check_developers():
         print("no compiler or no Eigen: C++ of doc/developers.md not checked")
         return
     for block in blocks:
-        done = subprocess.run([compiler, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only",
-                               "-I", SOURCE, "-isystem", EIGEN, "-x", "c++", "-"],
+        done = subprocess.run([compiler, "-std=c++17", "-Wall", "-Wextra", "-Werror",
+                               "-fsyntax-only", "-I", SOURCE, "-isystem", EIGEN, "-x", "c++", "-"],
                               input=block, capture_output=True, text=True)
         check(done.returncode == 0, f"C++ of doc/developers.md: {done.stderr}")
     check(len(blocks) == 2, "doc/developers.md has other blocks of C++ than this test knows")
@@ -278,20 +280,35 @@ def check_materials():
                   f"{path.name}: {name} is '{values.get(name)}', not a number")
 
 
-for page in sorted(PAGES.glob("*.rst")):
-    check_page(page)
-check_styles()
-check_map_of_files()
-check_developers()
-for page in [*sorted(ROOT.glob("*.md")), ROOT / "examples/README.md", ROOT / "unittest/README.md",
-             *sorted((ROOT / "doc").glob("*.md")), *sorted((ROOT / "doc/report").glob("*.md"))]:
-    check_markdown(page)
-if LMP:
-    check_tutorial()
-    check_howto()
-    check_recipe()
-    check_materials()
-else:
-    print("TMSPH_LMP is not set: nothing run")
-print("\n".join(faults) if faults else f"{len(list(styles()))} styles documented")
-sys.exit(1 if faults else 0)
+def check_pages():
+    for page in sorted(PAGES.glob("*.rst")):
+        check_page(page)
+    print(f"{len(list(styles()))} styles documented")
+
+
+def check_texts():
+    for page in [*sorted(ROOT.glob("*.md")), ROOT / "examples/README.md",
+                 ROOT / "unittest/README.md", *sorted((ROOT / "doc").glob("*.md")),
+                 *sorted((ROOT / "doc/report").glob("*.md"))]:
+        check_markdown(page)
+
+
+def case(checks):
+    """A case of a report: the checks find no fault."""
+    def judged(report):
+        faults.clear()
+        checks()
+        report.true(checks.__name__.replace("check_", ""), not faults,
+                    "\n".join(faults) or "no faults")
+
+    judged.__name__ = checks.__name__.replace("check_", "")
+    return judged
+
+
+if __name__ == "__main__":
+    CHECKS = [check_pages, check_styles, check_map_of_files, check_developers, check_texts]
+    if LMP:
+        CHECKS += [check_tutorial, check_howto, check_recipe, check_materials]
+    else:
+        print("TMSPH_LMP is not set: nothing run")
+    main(*map(case, CHECKS))

@@ -3,7 +3,10 @@
 The energy that velocity Verlet shows oscillates by an amount of order dt^2: half
 the time step must give a quarter of the band, or the forces feed it."""
 
-from scenes.dynamics import *
+import numpy as np
+
+from scenes.dynamics import SPACING, Spinning
+from tmsph_testing import main, order
 
 
 def check(report, what, *setting):
@@ -25,7 +28,13 @@ def check(report, what, *setting):
     report.below(f"{what}: shift of the centre/spacing", np.linalg.norm(x1 - x0) / SPACING, 1e-9)
 
 
-report = Report()
-check(report, "2-D, 12 x 12", "square", (12, 12), (0, 0, 1))
-check(report, "3-D, 12 x 4 x 4", "sc", (12, 4, 4), (1, 2, 3))
-report.finish()
+def in_2d(report):
+    check(report, "2-D, 12 x 12", "square", (12, 12), (0, 0, 1))
+
+
+def in_3d(report):
+    check(report, "3-D, 12 x 4 x 4", "sc", (12, 4, 4), (1, 2, 3))
+
+
+if __name__ == "__main__":
+    main(in_2d, in_3d)

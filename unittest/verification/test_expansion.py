@@ -2,7 +2,8 @@
 """A uniformly heated free body expands without stress, jittered or not: found by
 minimizing the energy. The strain is taken from all pairs within the horizon."""
 
-from scenes.expansion import *
+from scenes.expansion import BODIES, Expansion
+from tmsph_testing import main
 
 
 def check(report, plane, jitter, mode):
@@ -14,9 +15,12 @@ def check(report, plane, jitter, mode):
         report.below(f"{what}: error of szz/(E alpha dT)", body.szz_error, 1e-8)
 
 
-report = Report()
-for plane in BODIES:
-    for jitter in (0.0, 0.2):
-        for mode in ("bond", "strain"):
-            check(report, plane, jitter, mode)
-report.finish()
+def expanded(report):
+    for plane in BODIES:
+        for jitter in (0.0, 0.2):
+            for mode in ("bond", "strain"):
+                check(report, plane, jitter, mode)
+
+
+if __name__ == "__main__":
+    main(expanded)

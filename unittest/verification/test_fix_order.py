@@ -5,7 +5,9 @@ in LAMMPS, as sums of floating-point numbers have."""
 
 import random
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Cloud, Scene, Script, lattice, main, material
 
 SPACING = 1e-3
 
@@ -92,6 +94,10 @@ def rubs(run):
         and run.thermo("f_side[1]")[-1] != 0.0
 
 
+def touches(run):
+    return run.thermo("f_floor[2]").any() and run.thermo("f_touch[2]").any()
+
+
 def dynamics(dimension):
     def make(seed):
         scene = blocks(dimension).add("\n".join(mixed(dimension, seed)))
@@ -170,15 +176,33 @@ def stays(report, dimension):
                 "as in LAMMPS")
 
 
-report = Report()
-alike(report, "2-D", dynamics(2), (1, 2, 3, 4, 5, 6), rubs)
-alike(report, "3-D", dynamics(3), (1, 2), rubs)
-for d in (2, 3):
-    alike(report, f"{d}-D, held", held(d), (1, 2), lambda run: run.thermo("f_touch[8]")[-1] > 0.0)
-    stays(report, d)
-alike(report, "a force that comes between runs", between_runs, (1, 2), rubs)
-touches = lambda run: run.thermo("f_floor[2]").any() and run.thermo("f_touch[2]").any()
-alike(report, "minimize", equilibrium("minimize 0 0 20 40"), (1, 2), touches)
-alike(report, "quasi-static", equilibrium("tmsph/quasistatic 3 evaluations 3000"), (1, 2), touches)
-restarts(report)
-report.finish()
+def in_2d(report):
+    alike(report, "2-D", dynamics(2), (1, 2, 3, 4, 5, 6), rubs)
+
+
+def in_3d(report):
+    alike(report, "3-D", dynamics(3), (1, 2), rubs)
+
+
+def forces_held(report):
+    for d in (2, 3):
+        alike(report, f"{d}-D, held", held(d), (1, 2),
+              lambda run: run.thermo("f_touch[8]")[-1] > 0.0)
+        stays(report, d)
+
+
+def forces_between_runs(report):
+    alike(report, "a force that comes between runs", between_runs, (1, 2), rubs)
+
+
+def minima(report):
+    alike(report, "minimize", equilibrium("minimize 0 0 20 40"), (1, 2), touches)
+
+
+def quasistatic(report):
+    alike(report, "quasi-static", equilibrium("tmsph/quasistatic 3 evaluations 3000"), (1, 2),
+          touches)
+
+
+if __name__ == "__main__":
+    main(in_2d, in_3d, forces_held, forces_between_runs, minima, quasistatic, restarts)

@@ -5,7 +5,9 @@ and angular momentum stay to round-off at every step, in the midst of contacts, 
 rises above the first one, and any number of processors counts the same breaks. So it is when two
 rough balls that spin rub on each other."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Cloud, Scene, lattice, main, material
 
 SPACING, ROCK = 1e-3, material(40e9, 0.25, 2700.0)
 KEPT = 1e-10         # of angular momentum, in units of mass times speed times radius
@@ -90,10 +92,18 @@ def check(report, what, made, breaks=0):
                      one.thermo("f_touch[7]")[-1] / one.thermo("TotEng")[0], 1e-3)
 
 
-if __name__ == "__main__":
-    report = Report()
+def rings(report):
     for friction in (0.5, 0.0):
         check(report, f"ring, friction {friction}", lambda: breaking(2, friction, 15.0, 1200), 5000)
+
+
+def shell(report):
     check(report, "shell, friction 0.5", lambda: breaking(3, 0.5, 15.0, 300), 1000)
+
+
+def balls(report):
     check(report, "spinning balls", lambda: spinning(0.5, 400))
-    report.finish()
+
+
+if __name__ == "__main__":
+    main(rings, shell, balls)

@@ -4,7 +4,10 @@ step: random temperatures, boundaries that jump, materials of conductivity 1:100
 1:100, long RKL2 steps. Heat is conserved to round-off, with bonds that break during the
 run; with boundaries and sources the content is that at the start plus what they brought."""
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import Heated
+from tmsph_testing import LATTICES, lattice, main, material
 
 MINERALS = [material(1.0, 0.2, 1.0), material(1.0, 0.2, 4.0)]
 UNEQUAL = "conductivity 1 1.0 conductivity 2 1000.0 specific/heat 1 1.0 specific/heat 2 25.0"
@@ -80,19 +83,27 @@ def cracks(report):
                      1e-12 if outside else 1e-13)
 
 
-report = Report()
-for what, cloud in (("square", speckled("square", 12)), ("sc", speckled("sc", 7)),
-                    ("jittered", speckled("square", 12, 0.3))):
-    bounded(report, f"{what}, insulated", cloud, UNEQUAL, "", 0.0, 1.0)
-    for length in (3.0, 100.0, 1e4):
-        bounded(report, f"{what}, insulated", cloud, UNEQUAL, "", 0.0, 1.0, length)
-        bounded(report, f"{what}, jumps", cloud, UNEQUAL, JUMP, -2.5, 2.5, length)
-    bounded(report, f"{what}, convection", cloud, UNEQUAL, FILM, -1.5, 1.0, 300.0)
-    bounded(report, f"{what}, radiation", cloud, UNEQUAL, SUN, 0.0, 3.0, 300.0)
-turned = "conductivity * orthotropic 1000.0 1.0 30 specific/heat * 1.0"
-bounded(report, "orthotropic", speckled("square", 12), turned, JUMP, -2.5, 2.5, 300.0)
-bounded(report, "tables", speckled("square", 12), BY_TABLE, "", 0.0, 1.0)
-for length in (3.0, 300.0):
-    bounded(report, "tables", speckled("square", 12), BY_TABLE, JUMP, -2.5, 2.5, length)
-cracks(report)
-report.finish()
+def lattices(report):
+    for what, cloud in (("square", speckled("square", 12)), ("sc", speckled("sc", 7)),
+                        ("jittered", speckled("square", 12, 0.3))):
+        bounded(report, f"{what}, insulated", cloud, UNEQUAL, "", 0.0, 1.0)
+        for length in (3.0, 100.0, 1e4):
+            bounded(report, f"{what}, insulated", cloud, UNEQUAL, "", 0.0, 1.0, length)
+            bounded(report, f"{what}, jumps", cloud, UNEQUAL, JUMP, -2.5, 2.5, length)
+        bounded(report, f"{what}, convection", cloud, UNEQUAL, FILM, -1.5, 1.0, 300.0)
+        bounded(report, f"{what}, radiation", cloud, UNEQUAL, SUN, 0.0, 3.0, 300.0)
+
+
+def orthotropic(report):
+    turned = "conductivity * orthotropic 1000.0 1.0 30 specific/heat * 1.0"
+    bounded(report, "orthotropic", speckled("square", 12), turned, JUMP, -2.5, 2.5, 300.0)
+
+
+def tables(report):
+    bounded(report, "tables", speckled("square", 12), BY_TABLE, "", 0.0, 1.0)
+    for length in (3.0, 300.0):
+        bounded(report, "tables", speckled("square", 12), BY_TABLE, JUMP, -2.5, 2.5, length)
+
+
+if __name__ == "__main__":
+    main(lattices, orthotropic, tables, cracks)

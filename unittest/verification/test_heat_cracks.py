@@ -4,7 +4,10 @@ open crack, which lets nothing through, and a closed one with a film on it, whic
 series. Two straight lines are exactly steady below a flat interface, but for the depths below it,
 which are interpolated in a table of 100 steps. With "all": more resolutions, for the report."""
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import SIDES, UNIFORM, Heated, listed, slab
+from tmsph_testing import main, thorough
 
 EXACT = 1e-4
 
@@ -46,28 +49,33 @@ def crack(n, name, film=None):
     return cloud, T, enters, abs(enters + leaves)
 
 
-report = Report()
-sizes = (10, 20, 40, 80) if "all" in sys.argv else (10, 20, 40)
-for name in ("square", "hex"):
-    for ratio in (10.0, 1000.0):
-        flux, unsteady = np.transpose([layers(n, name, ratio) for n in sizes])
-        what = f"{name}, 1:{ratio:g}"
-        report.below(f"{what}: not yet steady", unsteady.max(), 1e-8)
-        report.note(f"{what}: errors of the flux", listed(flux - 1))
-        report.below(f"{what}: largest error of the flux", abs(flux - 1).max(), EXACT)
-flux, _ = layers(12, "sc", 1000.0)
-report.below("sc, 1:1000: error of the flux at 12", abs(flux - 1), EXACT)
+def two_layers(report):
+    sizes = (10, 20, 40, 80) if thorough() else (10, 20, 40)
+    for name in ("square", "hex"):
+        for ratio in (10.0, 1000.0):
+            flux, unsteady = np.transpose([layers(n, name, ratio) for n in sizes])
+            what = f"{name}, 1:{ratio:g}"
+            report.below(f"{what}: not yet steady", unsteady.max(), 1e-8)
+            report.note(f"{what}: errors of the flux", listed(flux - 1))
+            report.below(f"{what}: largest error of the flux", abs(flux - 1).max(), EXACT)
+    flux, _ = layers(12, "sc", 1000.0)
+    report.below("sc, 1:1000: error of the flux at 12", abs(flux - 1), EXACT)
 
-for name, n in (("square", 20), ("hex", 20), ("sc", 12)):
-    cloud, T, power, _ = crack(n, name)
-    left = cloud.X[:, 0] < 0.5
-    report.below(f"{name}, open crack: power through it", abs(power), 1e-12)
-    report.below(f"{name}, open crack: sides at their own temperatures",
-                 max(np.abs(T[left] - 1).max(), np.abs(T[~left]).max()), 1e-10)
-    for film in (0.5, 2.0, 50.0):
-        _, _, power, unsteady = crack(n, name, film)
-        what = f"{name}, closed crack, film {film:g}"
-        report.below(f"{what}: not yet steady", unsteady, 1e-6)
-        report.below(f"{what}: error of the flux of resistances in series",
-                     abs(power * (1 + 1 / film) - 1), 0.01)
-report.finish()
+
+def one_crack(report):
+    for name, n in (("square", 20), ("hex", 20), ("sc", 12)):
+        cloud, T, power, _ = crack(n, name)
+        left = cloud.X[:, 0] < 0.5
+        report.below(f"{name}, open crack: power through it", abs(power), 1e-12)
+        report.below(f"{name}, open crack: sides at their own temperatures",
+                     max(np.abs(T[left] - 1).max(), np.abs(T[~left]).max()), 1e-10)
+        for film in (0.5, 2.0, 50.0):
+            _, _, power, unsteady = crack(n, name, film)
+            what = f"{name}, closed crack, film {film:g}"
+            report.below(f"{what}: not yet steady", unsteady, 1e-6)
+            report.below(f"{what}: error of the flux of resistances in series",
+                         abs(power * (1 + 1 / film) - 1), 0.01)
+
+
+if __name__ == "__main__":
+    main(two_layers, one_crack)

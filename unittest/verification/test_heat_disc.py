@@ -4,7 +4,10 @@ Bessel series. The region gives the circle that the staircase of the lattice sta
 area of the particles. Convection needs its length as well. With "all": up to 80 particles along
 the radius, for the report."""
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import UNIFORM, Heated, disc_solution, listed, rms
+from tmsph_testing import LATTICES, lattice, main, thorough
 
 TIME, BIOT = 0.05, 2.0
 CASES = {"Dirichlet": ("temperature 1.0", None), "Robin": (f"convection {BIOT} 1.0", BIOT)}
@@ -24,20 +27,23 @@ def error(case, n, name):
     return rms(T - disc_solution(r, TIME / R**2, None if biot is None else biot * R))
 
 
-report = Report()
-sizes = [10, 14, 20, 28, 40]    # the staircase fits the circle now better, now worse
-if "all" in sys.argv:
-    sizes += [57, 80]
-for case in CASES:
-    for name in ("square", "hex"):
-        errors = np.array([error(case, n, name) for n in sizes])
-        slope = -np.polyfit(np.log(sizes), np.log(errors), 1)[0]
-        report.note(f"{case}, {name}, {sizes}: errors", listed(errors))
-        if case == "Dirichlet":
-            report.above(f"{case}, {name}: order over the range", slope, 1.9)
-        else:
-            report.note(f"{case}, {name}: order over the range", slope)
-        report.below(f"{case}, {name}: error at 40, four times that at 80", errors[4], 8e-4)
-        if sizes[-1] == 80 and case == "Dirichlet":
-            report.below(f"{case}, {name}: error at 80", errors[-1], 2e-4)
-report.finish()
+def disc(report):
+    sizes = [10, 14, 20, 28, 40]    # the staircase fits the circle now better, now worse
+    if thorough():
+        sizes += [57, 80]
+    for case in CASES:
+        for name in ("square", "hex"):
+            errors = np.array([error(case, n, name) for n in sizes])
+            slope = -np.polyfit(np.log(sizes), np.log(errors), 1)[0]
+            report.note(f"{case}, {name}, {sizes}: errors", listed(errors))
+            if case == "Dirichlet":
+                report.above(f"{case}, {name}: order over the range", slope, 1.9)
+            else:
+                report.note(f"{case}, {name}: order over the range", slope)
+            report.below(f"{case}, {name}: error at 40, four times that at 80", errors[4], 8e-4)
+            if sizes[-1] == 80 and case == "Dirichlet":
+                report.below(f"{case}, {name}: error at 80", errors[-1], 2e-4)
+
+
+if __name__ == "__main__":
+    main(disc)

@@ -5,7 +5,10 @@ field that a flux through two opposite faces of a block holds is linear and stea
 corners. A square and a cube that cool by convection all around do so as their closed form, with an
 error of second order."""
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import UNIFORM, Heated, listed, rms, robin
+from tmsph_testing import LATTICES, Cloud, lattice, main, order
 
 WITHIN = 0.01
 EXACT = 1e-6    # areas are sums of single precision weights
@@ -141,8 +144,5 @@ def convection(report):
         report.above(f"convection, {name}: lowest order", order(errors).min(), 1.9)
 
 
-report = Report()
-areas(report)
-linear(report)
-convection(report)
-report.finish()
+if __name__ == "__main__":
+    main(areas, linear, convection)

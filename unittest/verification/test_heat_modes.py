@@ -6,7 +6,10 @@ solid with turned axes, in 2-D and 3-D, decay at the rate of the differential eq
 An irregular cloud conducts like a lattice, and linear fields are steady in it.
 With "all": a finer lattice in 3-D, for the report."""
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import UNIFORM, Heated, rms, weight
+from tmsph_testing import HORIZON, LATTICES, lattice, main, order, thorough
 
 rng = np.random.default_rng(7)
 
@@ -141,24 +144,35 @@ def linear(report, name, n, jitter):
                  np.abs(T - x)[inside].max() / cloud.spacing, 1e-4)
 
 
-report = Report()
-disordered(report)
-linear(report, "square", 20, 0.3)
-linear(report, "hex", 20, 0.3)
-linear(report, "sc", 15, 0.2)
-checkerboards(report, "square", (6, 6))
-checkerboards(report, "square", (6, 0))
-checkerboards(report, "square", (1, 2))
-checkerboards(report, "hex", (6, 3))
-checkerboards(report, "sc", (4, 4, 4), 8)
-checkerboards(report, "sc", (4, 1, 0), 8)
-never_grows(report, "square", (6, 6))
-never_grows(report, "sc", (4, 4, 4), 8)
-sizes = {"square": (20, 40), "hex": (20, 40),
-         "sc": (20, 40) if "all" in sys.argv else (20, 28)}
-for name, (coarse, fine) in sizes.items():
-    errors = [orthotropic(report, name, n) for n in (coarse, fine)]
-    report.below(f"orthotropic, {name}: error at {fine}", errors[1][0], 0.01 * (40 / fine) ** 2)
-    report.above(f"orthotropic, {name}: order",
-                 order([rate for _, rate in errors], fine / coarse)[0], 1.9)
-report.finish()
+def linear_fields(report):
+    linear(report, "square", 20, 0.3)
+    linear(report, "hex", 20, 0.3)
+    linear(report, "sc", 15, 0.2)
+
+
+def decay(report):
+    checkerboards(report, "square", (6, 6))
+    checkerboards(report, "square", (6, 0))
+    checkerboards(report, "square", (1, 2))
+    checkerboards(report, "hex", (6, 3))
+    checkerboards(report, "sc", (4, 4, 4), 8)
+    checkerboards(report, "sc", (4, 1, 0), 8)
+
+
+def growth(report):
+    never_grows(report, "square", (6, 6))
+    never_grows(report, "sc", (4, 4, 4), 8)
+
+
+def orthotropic_decay(report):
+    sizes = {"square": (20, 40), "hex": (20, 40),
+             "sc": (20, 40) if thorough() else (20, 28)}
+    for name, (coarse, fine) in sizes.items():
+        errors = [orthotropic(report, name, n) for n in (coarse, fine)]
+        report.below(f"orthotropic, {name}: error at {fine}", errors[1][0], 0.01 * (40 / fine) ** 2)
+        report.above(f"orthotropic, {name}: order",
+                     order([rate for _, rate in errors], fine / coarse)[0], 1.9)
+
+
+if __name__ == "__main__":
+    main(disordered, linear_fields, decay, growth, orthotropic_decay)

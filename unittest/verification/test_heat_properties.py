@@ -6,7 +6,10 @@ the clock (every, time/scale), and a scene without heat, which knows nothing of 
 
 import re
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import SIDES, UNIFORM, Heated, bisect, listed, rms, slab
+from tmsph_testing import LATTICES, Scene, lattice, main, material, order
 
 
 def block(name="square", n=6, spacing=0.1):
@@ -126,10 +129,5 @@ def without_heat(report):
                 np.array_equal(ends[0].frame("end")(state), ends[1].frame("end")(state)), state)
 
 
-report = Report()
-sources(report)
-steps_in_time(report)
-lumps(report)
-tables(report)
-without_heat(report)
-report.finish()
+if __name__ == "__main__":
+    main(sources, steps_in_time, lumps, tables, without_heat)

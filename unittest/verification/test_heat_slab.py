@@ -6,7 +6,10 @@ that are found and areas that are given; all errors below that of a surface half
 Errors are root mean squares over the particles; those of jittered ones also over draws, whose
 chance counts. With "all": every resolution, for the report."""
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import SIDES, UNIFORM, Heated, dirichlet, listed, neumann, rms, robin, slab
+from tmsph_testing import main, order, thorough
 
 # time, boundaries, temperature at first, exact solution, largest error at 80 particles
 
@@ -38,34 +41,40 @@ def half_a_spacing(case, cloud):
     return 0.5 * cloud.spacing * rms(slope)
 
 
-report = Report()
-thorough = "all" in sys.argv
-for case, (*_, bar) in CASES.items():
-    for name in ("square", "hex"):
-        sizes = np.array((10, 20, 40, 80) if thorough else (10, 40, 80))
-        errors, areas = np.transpose([solve(case, slab(n, name)) for n in sizes])
-        orders = order(errors, sizes[1:] / sizes[:-1])
-        report.note(f"{case}, {name}: errors", listed(errors))
-        report.above(f"{case}, {name}: lowest order", orders.min(), 1.9)
-        report.below(f"{case}, {name}: error at 80", errors[-1], bar)
-        report.below(f"{case}, {name}: area of the surface/exact - 1", np.abs(areas - 1).max(),
-                     1e-6)
-    errors = [solve(case, slab(n, "sc"))[0] for n in (10, 20)]
-    report.note(f"{case}, sc in 3-D: errors", listed(errors))
-    report.above(f"{case}, sc in 3-D: order", order(errors)[0], 1.9)
+def lattices(report):
+    for case, (*_, bar) in CASES.items():
+        for name in ("square", "hex"):
+            sizes = np.array((10, 20, 40, 80) if thorough() else (10, 40, 80))
+            errors, areas = np.transpose([solve(case, slab(n, name)) for n in sizes])
+            orders = order(errors, sizes[1:] / sizes[:-1])
+            report.note(f"{case}, {name}: errors", listed(errors))
+            report.above(f"{case}, {name}: lowest order", orders.min(), 1.9)
+            report.below(f"{case}, {name}: error at 80", errors[-1], bar)
+            report.below(f"{case}, {name}: area of the surface/exact - 1", np.abs(areas - 1).max(),
+                         1e-6)
+        errors = [solve(case, slab(n, "sc"))[0] for n in (10, 20)]
+        report.note(f"{case}, sc in 3-D: errors", listed(errors))
+        report.above(f"{case}, sc in 3-D: order", order(errors)[0], 1.9)
 
-    sizes = (10, 20, 40, 80) if thorough else (10, 20, 40)
-    for words, areas_are in (("", "found"), (" area {area}", "given")):
-        clouds = [[slab(n, "square", JITTER, width=n, draw=draw) for n in sizes] for draw in DRAWS]
-        solved = np.array([[solve(case, cloud, " region body" + words) for cloud in row]
-                           for row in clouds])
-        errors = np.sqrt(np.mean(solved[..., 0] ** 2, axis=0))
-        name = f"{case}, jittered by {JITTER}, areas {areas_are}"
-        report.note(f"{name}: errors", listed(errors))
-        report.note(f"{name}: areas/exact - 1", listed(np.abs(solved[..., 1] - 1).max(axis=0)))
-        # a slope by least squares; of two sizes chance would decide
-        report.above(f"{name}: order", -np.polyfit(np.log(sizes), np.log(errors), 1)[0], 1.0)
-        for n, cloud, error in zip(sizes, clouds[0], errors):
-            report.below(f"{name}: error at {n}", error, half_a_spacing(case, cloud))
-    report.below(f"{case}, jittered: given area - 1", np.abs(solved[..., 1] - 1).max(), 1e-12)
-report.finish()
+
+def jittered(report):
+    for case in CASES:
+        sizes = (10, 20, 40, 80) if thorough() else (10, 20, 40)
+        for words, areas_are in (("", "found"), (" area {area}", "given")):
+            clouds = [[slab(n, "square", JITTER, width=n, draw=draw) for n in sizes]
+                      for draw in DRAWS]
+            solved = np.array([[solve(case, cloud, " region body" + words) for cloud in row]
+                               for row in clouds])
+            errors = np.sqrt(np.mean(solved[..., 0] ** 2, axis=0))
+            name = f"{case}, jittered by {JITTER}, areas {areas_are}"
+            report.note(f"{name}: errors", listed(errors))
+            report.note(f"{name}: areas/exact - 1", listed(np.abs(solved[..., 1] - 1).max(axis=0)))
+            # a slope by least squares; of two sizes chance would decide
+            report.above(f"{name}: order", -np.polyfit(np.log(sizes), np.log(errors), 1)[0], 1.0)
+            for n, cloud, error in zip(sizes, clouds[0], errors):
+                report.below(f"{name}: error at {n}", error, half_a_spacing(case, cloud))
+        report.below(f"{case}, jittered: given area - 1", np.abs(solved[..., 1] - 1).max(), 1e-12)
+
+
+if __name__ == "__main__":
+    main(lattices, jittered)

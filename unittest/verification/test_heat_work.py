@@ -4,7 +4,9 @@ to what they were, with an error in proportion to the time step, since the law t
 half a step before. A block that hits another and slides on it: heat gained is the work of friction,
 to the last digits."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, main, material, order
 
 HEAT = "fix heat all tmsph/heat conductivity * 2 specific/heat * 800"
 
@@ -39,8 +41,7 @@ def slide(ranks=1):
     return run.thermo("f_heat")[-1] - heat[0], work[-1]
 
 
-if __name__ == "__main__":
-    report = Report()
+def of_viscosity(report):
     errors = []
     for dt in (1e-5, 5e-6):
         error, left = vibrate(dt)
@@ -50,7 +51,13 @@ if __name__ == "__main__":
                      abs(error), 0.01)
         report.below("kinetic energy that is left", left, 0.2)
     report.above("order in the time step", order(errors)[0], 0.8)
+
+
+def of_friction(report):
     heat, work = slide()
     report.above("work of friction", work, 1.0)
     report.below("heat gained/work of friction - 1", abs(heat / work - 1), 1e-6)
-    report.finish()
+
+
+if __name__ == "__main__":
+    main(of_viscosity, of_friction)

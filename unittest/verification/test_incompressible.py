@@ -2,10 +2,13 @@
 """Nearly incompressible materials: Poisson's ratio 0.45, 0.49 and 0.499 with
 averaged dilatation. Homogeneous finite strain in closed form; a cantilever (Timoshenko);
 a disc that spins and one under pressure; a heated disc of two materials (Lame).
-Required: stresses within 5 %. With the argument "one" or "two" the figures of
-doc/report/incompressible.md for so many materials are printed, without bars."""
+Required: stresses within 5 %. tables_of_one and tables_of_two print the figures of
+doc/report/incompressible.md for so many materials, without bars."""
 
-from scenes.disc import *
+import numpy as np
+
+from scenes.disc import Disc
+from tmsph_testing import HORIZON, Scene, lattice, main, material
 
 E0, STRAIN = 40e9, 1e-5
 SPACING = 1e-3
@@ -157,7 +160,7 @@ def homogeneous(report, name, cells, nu, options, jitter):
     report.below(f"homogeneous, {name} nu {nu} {options}: error", error / np.abs(sigma).max(), bar)
 
 
-def tables():
+def tables_of_one(_):
     for nu in (0.3, 0.45, 0.49, 0.499, 0.4999):
         for options in ("", "dilatation plain") if nu == 0.45 else ("",):
             state = cantilever(nu, options, 16, residual=1e-6)
@@ -174,7 +177,7 @@ def tables():
               f"  spin {nu}: {disc(nu, 'spin', options, jitter=0.2)}", flush=True)
 
 
-def tables_of_two():
+def tables_of_two(_):
     for spacing in (2e-3, 1e-3):
         for inner, outer in ((0.3, 0.2), (0.3, 0.45), (0.3, 0.49), (0.3, 0.499), (0.45, 0.2),
                              (0.49, 0.2), (0.499, 0.2), (0.45, 0.45), (0.49, 0.49),
@@ -185,11 +188,13 @@ def tables_of_two():
                   f"far {two.far:.4f}, core {two.core:.4f}, ring {two.ring_hoop:.4f}", flush=True)
 
 
-def check():
-    report = Report()
+def strained(report):
     for name, cells in (("square", (18, 14)), ("sc", (7, 6, 5))):
         for nu in RATIOS:
             homogeneous(report, name, cells, nu, "", 0.2)
+
+
+def one_material(report):
     for nu in RATIOS:
         for what, state in [("cantilever", cantilever(nu)), ("spinning disc", disc(nu, "spin"))]:
             report.below(f"{what}, nu {nu}: L2 error", state.error, BAR)
@@ -198,11 +203,14 @@ def check():
         report.below(f"disc under pressure, nu {nu}: L2 error inside", state.inner, BAR)
         report.below(f"disc under pressure, nu {nu}: pressure against neighbors", state.noise,
                      NOISE)
+
+
+def two_materials(report):
     pair = material(40e9, 0.49, 2700, 1.5e-5), material(20e9, 0.49, 2700, 1e-5)
     two = Disc("strain", pair, 1.5e-3, residual=1e-4)
     report.below("two materials, nu 0.49 both: L2 error", two.error, BAR)
     report.within("two materials, nu 0.49 both: core pressure/p", two.core, 1 - BAR, 1 + BAR)
-    report.finish()
 
 
-{"": check, "one": tables, "two": tables_of_two}[" ".join(sys.argv[1:])]()
+if __name__ == "__main__":
+    main(strained, one_material, two_materials, more=(tables_of_one, tables_of_two))

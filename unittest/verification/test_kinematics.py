@@ -3,7 +3,9 @@
 interfaces too, and rigid rotation by any angle gives neither stress nor force.
 Bars are round-off: displacements of some 10 spacings, differentiated over one."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, main, material
 
 SPACING = 1e-3
 STIFF, SOFT = material(40e9, 0.3), material(20e9, 0.2)
@@ -71,7 +73,5 @@ def rotated(report):
                      1e-12)
 
 
-report = Report()
-affine(report)
-rotated(report)
-report.finish()
+if __name__ == "__main__":
+    main(affine, rotated)

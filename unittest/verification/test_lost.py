@@ -2,7 +2,9 @@
 """Particles that leave a box with fixed boundaries: a run goes on with those that remain, as if the
 others had been deleted, or LAMMPS says that it lost them."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, Script, lattice, main, material
 
 SPACING = 1e-3
 
@@ -118,8 +120,5 @@ def told(report):
                 and again.thermo("KinEng")[-1] == run.thermo("KinEng")[-1], "goes on as the run")
 
 
-report = Report()
-as_deleted(report)
-leaves(report)
-told(report)
-report.finish()
+if __name__ == "__main__":
+    main(as_deleted, leaves, told)

@@ -4,7 +4,7 @@ converges to the same, or one line tells which style to use: never another remed
 
 import numpy as np
 
-from tmsph_testing import Report, Scene, disc_materials, lattice, material
+from tmsph_testing import Scene, disc_materials, lattice, main, material
 
 RESIDUAL = 1e-6    # of a typical force on a particle, strength 5e6 Pa times its face
 
@@ -114,8 +114,5 @@ def others(report):
                             and run.status < 128, said)
 
 
-report = Report()
-curvature(report)
-defaults(report)
-others(report)
-report.finish()
+if __name__ == "__main__":
+    main(curvature, defaults, others)

@@ -3,7 +3,7 @@
 that names the mistake and its remedy, and with that remedy the line is gone. Wrong grammar is in
 test_bad_inputs.py."""
 
-from tmsph_testing import Report
+from tmsph_testing import main
 from wrong_inputs import ROCK, complaints, cube, plate, script, tells
 
 # A plate of two rocks that is heated evenly and may break; with nothing to complain about
@@ -238,14 +238,23 @@ def check(report, name, scene, wrong, remedy, words, ranks=1):
                 complaints(mended) or "nothing is said")
 
 
-report = Report()
-for scene in (PLATE, CUBE):
-    run = script(scene).run()
-    report.true("the scenes work unchanged", not complaints(run),
-                complaints(run) or "nothing is said")
-for mistake in MISTAKES:
-    check(report, *mistake)
-for name, *mistake in MISTAKES:
-    if name in ON_THREE:
-        check(report, name + ", 3 processes", *mistake, ranks=3)
-report.finish()
+def unchanged(report):
+    for scene in (PLATE, CUBE):
+        run = script(scene).run()
+        report.true("the scenes work unchanged", not complaints(run),
+                    complaints(run) or "nothing is said")
+
+
+def mistaken(report):
+    for mistake in MISTAKES:
+        check(report, *mistake)
+
+
+def on_three(report):
+    for name, *mistake in MISTAKES:
+        if name in ON_THREE:
+            check(report, name + ", 3 processes", *mistake, ranks=3)
+
+
+if __name__ == "__main__":
+    main(unchanged, mistaken, on_three)

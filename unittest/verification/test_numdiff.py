@@ -3,7 +3,9 @@
 fix numdiff, which differentiates the total energy. Step 1e-5 spacings: the
 truncation and round-off of central differences are then near 1e-9."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, main, material
 
 SPACING = 1e-3
 MATERIALS = [material(40e9, 0.3, 2700, 1.5e-5), material(10e9, 0.2, 2000, -3e-5)]
@@ -43,9 +45,12 @@ def check(report, materials, name, cells, options, periodic, heated):
                  f"{', heated' if heated else ''}: force against energy", error, 1e-6)
 
 
-report = Report()
-for materials, cases in [(MATERIALS, CASES)] + [(soft, SOFT_CASES) for soft in SOFT]:
-    for case in cases:
-        for heated in (False, True):
-            check(report, materials, *case, heated)
-report.finish()
+def forces(report):
+    for materials, cases in [(MATERIALS, CASES)] + [(soft, SOFT_CASES) for soft in SOFT]:
+        for case in cases:
+            for heated in (False, True):
+                check(report, materials, *case, heated)
+
+
+if __name__ == "__main__":
+    main(forces)

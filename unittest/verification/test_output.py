@@ -4,7 +4,13 @@ them; dumps, tables and logs of every example and of the tutorial have names for
 those of dumps as OVITO maps them (ovito_columns.txt); one header line makes a table that numpy
 reads by name."""
 
-from tmsph_testing import *
+import re
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from tmsph_testing import Scene, Script, lattice, main, material
 
 ROOT = Path(__file__).resolve().parents[2]
 MATERIALS = {f"potentials/{path.name}": path.read_text()
@@ -19,8 +25,6 @@ FIELDS = {"ux", "uy", "uz", "x0", "y0", "z0", "temperature", "damage", "volume",
           "nbroken", "ncut", "sxx", "syy", "szz", "sxy", "sxz", "syz", "s1", "s2", "s3", "smean",
           "vonmises", "strength", "load", "radial", "hoop"}
 EVENTS = "id1 id2 step time x y z nx ny nz kind energy temperature".split()
-
-report = Report()
 
 
 def ovito():
@@ -60,7 +64,7 @@ def header(text):
     return re.search(r"^ITEM: (ATOMS|ENTRIES) (.*)", text, re.M)
 
 
-def dump_of_particles(name, columns):
+def dump_of_particles(report, name, columns):
     particles, _, full = ovito()
     odd = [c for c in columns if c not in MEANT and (c not in FIELDS or c in particles)]
     wrong = [c for c in columns if c in MEANT and particles[c] != MEANT[c]]
@@ -72,7 +76,7 @@ def dump_of_particles(name, columns):
                 " ".join(odd + wrong + stolen) or " ".join(columns))
 
 
-def names_of_everything():
+def names_of_everything(report):
     _, bonds, _ = ovito()
     for name, text in inputs():
         run = Script("shell cd examples/name\ninclude in.name",
@@ -86,7 +90,7 @@ def names_of_everything():
             found, what = header(data), f"{name}: {file}"
             if found and found[1] == "ATOMS":
                 drawn = True
-                dump_of_particles(what, found[2].split())
+                dump_of_particles(report, what, found[2].split())
             elif found:
                 columns = found[2].split()[1:]
                 good = {"dump.bonds": all(c in bonds for c in columns),
@@ -107,7 +111,7 @@ def names_of_everything():
         report.true(f"{name}: dumps", drawn or "toughness" in name, "there")
 
 
-def radii():
+def radii(report):
     """Half a spacing: of a square and a cube lattice half their edge, of a hexagonal one between
     half the root of the area and half the distance, for any thickness, here 1, a spacing and a
     hundredth of one."""
@@ -126,7 +130,7 @@ def radii():
                 report.within(f"{what}, most", found.max(), least - 1e-9, 1 + 1e-9)
 
 
-def walls():
+def walls(report):
     """A line that moves up and a bent one, in 2-D; a plane in 3-D: rows of the compute are on them,
     and any wall in dump image draws all."""
     dx = 2e-3
@@ -161,7 +165,7 @@ def walls():
     report.below("plane in 3-D: corners off it, m", np.abs(height).max(), 1e-6)    # %g of the dump
 
 
-def table_by_name():
+def table_by_name(report):
     """numpy reads the columns of a table under their names."""
     text = (ROOT / "examples/incline/in.incline").read_text()
     run = Script("variable time index 0.05\n" + text, {}).run(keep="speed.txt")
@@ -174,8 +178,5 @@ def table_by_name():
                 and np.array_equal(table["speed_m_per_s"], plain[:, 2]), f"{len(plain)} rows")
 
 
-names_of_everything()
-radii()
-walls()
-table_by_name()
-report.finish()
+if __name__ == "__main__":
+    main(names_of_everything, radii, walls, table_by_name)

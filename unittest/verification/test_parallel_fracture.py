@@ -4,7 +4,9 @@ or with friction on the faces of cracks (fix tmsph/contact): the same to the las
 of processors, balanced or not, in one run or several, and continued from a restart. New ids and
 deleted particles leave the other bonds alone."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, Script, lattice, main, material
 
 SPACING = 1e-3
 ROCKS = [material(40e9, 0.3, 2700, 1.5e-5), material(20e9, 0.2, 2700, 1e-5)]
@@ -149,12 +151,21 @@ def renumbered(report, ranks):
     report.true(f"{what}: goes on", np.isfinite(run.frame("later")("fx fy")).all(), "forces finite")
 
 
-report = Report()
-compare(report, 2)
-compare(report, 2, friction=0.3)
-compare(report, 2, friction=0.3, rocks=SOFT)
-compare(report, 3)
-compare(report, 3, friction=0.3)
-for ranks in (1, 2):
-    renumbered(report, ranks)
-report.finish()
+def plates(report):
+    compare(report, 2)
+    compare(report, 2, friction=0.3)
+    compare(report, 2, friction=0.3, rocks=SOFT)
+
+
+def blocks(report):
+    compare(report, 3)
+    compare(report, 3, friction=0.3)
+
+
+def renumbering(report):
+    for ranks in (1, 2):
+        renumbered(report, ranks)
+
+
+if __name__ == "__main__":
+    main(plates, blocks, renumbering)

@@ -4,7 +4,9 @@ break on the way: the same to the last bit on any number of processors, balanced
 or several, and continued from a restart, in 2-D and 3-D. Accounts are sums over processors and
 agree to round-off."""
 
-from heat_scenes import *
+import numpy as np
+
+from tmsph_testing import Scene, Script, lattice, main, material
 
 SPACING = 1e-3
 ROCKS = [material(40e9, 0.3, 2700, 1.5e-5), material(20e9, 0.2, 2500, 1e-5)]
@@ -119,11 +121,19 @@ def viscous_heat(report):
     report.below("viscous, with the stable step in each step: values that differ", differ, 1)
 
 
-report = Report()
-compare(report, "2-D, tables, jittered", Body(2, "conductivity * table rock.table k", 0.15))
-compare(report, "2-D, orthotropic",
-        Body(2, "conductivity 1 orthotropic 3.0 1.0 25 conductivity 2 2.0"))
-compare(report, "3-D",
-        Body(3, "conductivity 1 orthotropic 3.0 1.0 2.0 1 1 0 35 conductivity 2 2.0"))
-viscous_heat(report)
-report.finish()
+def jittered(report):
+    compare(report, "2-D, tables, jittered", Body(2, "conductivity * table rock.table k", 0.15))
+
+
+def orthotropic(report):
+    compare(report, "2-D, orthotropic",
+            Body(2, "conductivity 1 orthotropic 3.0 1.0 25 conductivity 2 2.0"))
+
+
+def block(report):
+    compare(report, "3-D",
+            Body(3, "conductivity 1 orthotropic 3.0 1.0 2.0 1 1 0 35 conductivity 2 2.0"))
+
+
+if __name__ == "__main__":
+    main(jittered, orthotropic, block, viscous_heat)

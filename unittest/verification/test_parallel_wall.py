@@ -3,7 +3,9 @@
 3-D: the same to the last bit on any number of processors, balanced or not, in one run or
 several, and continued from a restart written while it slides."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, Script, lattice, main, material
 
 SPACING, ROCK = 0.01, material(10e6, 0.2, 1000.0)
 STATE = "x y z vx vy vz fx fy fz"
@@ -76,7 +78,13 @@ def compare(report, dimension):
         report.below(f"{what}: continued on {ranks}, work of friction", abs(work - 1), 1e-12)
 
 
-report = Report()
-compare(report, 2)
-compare(report, 3)
-report.finish()
+def in_2d(report):
+    compare(report, 2)
+
+
+def in_3d(report):
+    compare(report, 3)
+
+
+if __name__ == "__main__":
+    main(in_2d, in_3d)

@@ -11,7 +11,9 @@ A wall acts on the particles, whose outermost are half a spacing inside of the s
 the friction is that much too short. Bars: a spacing over the radius for the spin; 5 % for what
 depends on the roughness of the rims and on waves, 1 % for friction on a wall."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Cloud, Frame, Scene, lattice, main, material, thorough
 
 ROCK = material(10e6, 0.2, 1000.0)
 WAVE = (10e6 * 0.8 / (1.2 * 0.6) / 1000) ** 0.5
@@ -143,12 +145,16 @@ def rolling(report):
                      abs(-w * radius / (spin * u0) - 1), cloud.spacing / radius)
 
 
-report = Report()
-bars(report, 1)
-bars(report, 2)
-for n in (10, 20, 40) if "all" in sys.argv else (20,):
-    oblique_wall(report, 0.2, 0.1, n)
-oblique_wall(report, 0.3, 0.1, 20)
-oblique_pair(report)
-rolling(report)
-report.finish()
+def two_bars(report):
+    bars(report, 1)
+    bars(report, 2)
+
+
+def thrown_at_a_wall(report):
+    for n in (10, 20, 40) if thorough() else (20,):
+        oblique_wall(report, 0.2, 0.1, n)
+    oblique_wall(report, 0.3, 0.1, 20)
+
+
+if __name__ == "__main__":
+    main(two_bars, thrown_at_a_wall, oblique_pair, rolling)

@@ -8,7 +8,10 @@ Bars: 1 % of the largest value, 2 % for stresses, which on a lattice have errors
 surfaces and sources; for the wave 3 %, half a horizon and more from its front, where the exact
 stress jumps."""
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import SIDES, UNIFORM, Heated, rms, slab
+from tmsph_testing import lattice, main, material, order
 
 ROCK = material(40e9, 0.25, 2700.0, 1e-5)
 K, C = 3.0, 800.0
@@ -134,9 +137,5 @@ def danilovskaya(report):
     report.below("Danilovskaya: place of the front against exact", abs(front / tau - 1), 0.01)
 
 
-report = Report()
-generating_slab(report)
-line_source(report)
-half_space(report)
-danilovskaya(report)
-report.finish()
+if __name__ == "__main__":
+    main(generating_slab, line_source, half_space, danilovskaya)

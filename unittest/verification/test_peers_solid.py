@@ -9,7 +9,9 @@ horizon beyond its tips: by that share of its half-length the opening of a crack
 by twice that the energy release rate, where the correction for the width grows as well; with
 first order."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, lattice, main, material, order, sampled_frequency
 
 ROCK = material(40e9, 0.25, 2700.0)
 E, NU, RHO = ROCK["young"], ROCK["poisson"], ROCK["density"]
@@ -113,24 +115,27 @@ def release_error(half):
     return abs(rate / exact - 1)
 
 
-report = Report()
-pulse(report)
+def rods(report):
+    frequency, energy = zip(*[torsion(n) for n in (6, 9)])
+    report.note("torsion of a square rod, 6 and 9 rows: frequency/exact",
+                "{:.4f} {:.4f}".format(*frequency))
+    report.below("torsion, 9 rows: error of the frequency", abs(frequency[1] - 1), 0.10)
+    report.above("torsion: order", order(np.array(frequency) - 1, 1.5)[0], 1.0)
+    report.below("torsion: change of energy/energy", max(energy), 0.01)
 
-frequency, energy = zip(*[torsion(n) for n in (6, 9)])
-report.note("torsion of a square rod, 6 and 9 rows: frequency/exact",
-            "{:.4f} {:.4f}".format(*frequency))
-report.below("torsion, 9 rows: error of the frequency", abs(frequency[1] - 1), 0.10)
-report.above("torsion: order", order(np.array(frequency) - 1, 1.5)[0], 1.0)
-report.below("torsion: change of energy/energy", max(energy), 0.01)
 
-gaps = []
-for half in (8, 16, 24):
-    gaps.append(Crack(half).opening_error())
-    report.below(f"crack of half-length {half}: error of the opening in the middle", gaps[-1],
-                 0.5 * HORIZON / half)
-report.above("crack: order of the opening", order(gaps[:2])[0], 0.8)
-for half in (12, 24):
-    report.below(f"crack of half-length {half}: error of the energy release rate",
-                 release_error(half),
-                 HORIZON / half)
-report.finish()
+def cracks(report):
+    gaps = []
+    for half in (8, 16, 24):
+        gaps.append(Crack(half).opening_error())
+        report.below(f"crack of half-length {half}: error of the opening in the middle", gaps[-1],
+                     0.5 * HORIZON / half)
+    report.above("crack: order of the opening", order(gaps[:2])[0], 0.8)
+    for half in (12, 24):
+        report.below(f"crack of half-length {half}: error of the energy release rate",
+                     release_error(half),
+                     HORIZON / half)
+
+
+if __name__ == "__main__":
+    main(pulse, rods, cracks)

@@ -7,7 +7,9 @@ flaw along a row of particles cuts the bonds that it cuts without the boundary."
 
 from math import fsum
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Cloud, Scene, lattice, main, material
 
 # positions are multiples of GRAIN: distances are exact wherever a copy stands, and so are the
 # weights of the bonds, which are kept in single precision
@@ -148,10 +150,20 @@ def flaw_on_a_row(report, name):
     report.true(f"{name}: in a periodic box the same", np.array_equal(*cut), "all of them")
 
 
-report = Report()
-for name in CELLS:
+def cells(report, name):
     flaw_on_a_row(report, name)
     repetition(report, name)
     homogeneous(report, name)
     processors(report, name)
-report.finish()
+
+
+def in_2d(report):
+    cells(report, "2-D")
+
+
+def in_3d(report):
+    cells(report, "3-D")
+
+
+if __name__ == "__main__":
+    main(in_2d, in_3d)

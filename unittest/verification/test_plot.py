@@ -3,9 +3,18 @@
 platens; each pixel of a map has the value of the nearest particle, a body has its area, a section
 through a wall of triangles its line; wrong folders, steps and columns are told in one line."""
 
+import atexit
+import re
+import shutil
+import subprocess
 import sys
+import tempfile
+from functools import cache
+from pathlib import Path
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Script, main, read_dump
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
@@ -19,8 +28,13 @@ EXAMPLE = ("examples/uniaxial/in.uniaxial", "potentials/granite.tmsph")    # it 
 GREY = 105             # of walls
 LARGEST = 150_000      # bytes of a picture
 
-report = Report()
-folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
+
+@cache
+def folder():
+    """A temporary one, for all cases."""
+    place = Path(tempfile.mkdtemp(prefix="tmsph-"))
+    atexit.register(shutil.rmtree, place)
+    return place
 
 
 def plot(*words, fails=False):
@@ -31,48 +45,52 @@ def plot(*words, fails=False):
     return done.stderr if fails else done.stdout
 
 
+@cache
 def example():
+    """Runs it; its files are in the folder."""
     scene = Script("variable dx index 2.5e-3\nlog log.lammps\nshell cd examples/uniaxial\n"
                    "include in.uniaxial\nshell cd ../..\nlog none",
                    {name: (ROOT / name).read_text() for name in EXAMPLE})
     run = scene.run(keep="examples/uniaxial/*")
     for name, data in run.kept.items():
-        (folder / name).write_bytes(data)
-    (folder / "log.lammps").write_text(run.log)
+        (folder() / name).write_bytes(data)
+    (folder() / "log.lammps").write_text(run.log)
 
 
-def pictures():
-    out = plot(folder, "--magnify", 20)
+def pictures(report):
+    example()
+    out = plot(folder(), "--magnify", 20)
     names = ["damage", "displacement", "s1", "s3", "load", "energy"]
     report.true("pictures",
-                set(out.split()) == {str(folder / f"plot.{name}.png") for name in names},
+                set(out.split()) == {str(folder() / f"plot.{name}.png") for name in names},
                 f"{len(names)}")
     for name in names:
-        path = folder / f"plot.{name}.png"
+        path = folder() / f"plot.{name}.png"
         picture = plt.imread(path)
         report.true(f"{name}: a picture with more than lines", path.stat().st_size < LARGEST
                     and min(picture.shape[:2]) > 200
                     and len(np.unique(picture.reshape(-1, picture.shape[2]), axis=0)) > 10,
                     f"{path.stat().st_size} bytes")
-    picture = (255 * plt.imread(folder / "plot.s1.png")[..., :3]).round()
+    picture = (255 * plt.imread(folder() / "plot.s1.png")[..., :3]).round()
     grey = (np.abs(picture - GREY) < 8).all(axis=2).sum(axis=1) > 0.3 * picture.shape[1]
     report.true("platens in the map", np.count_nonzero(np.diff(grey.astype(int)) == 1) == 2, "two")
-    plot(folder, "--maps", "--field", "damage", "--step", 0, 2000, "--out", folder / "two")
-    one, two = (plt.imread(folder / name).shape[1]
+    plot(folder(), "--maps", "--field", "damage", "--step", 0, 2000, "--out", folder() / "two")
+    one, two = (plt.imread(folder() / name).shape[1]
                 for name in ("plot.damage.png", "two.damage.png"))
     report.above("two steps side by side: width over that of one", two / one, 1.3)
 
 
-def walls_for_paraview():
-    command = [sys.executable, ROOT / "tools/to_vtk.py", folder / "dump.uniaxial", "--walls",
-               folder / "dump.walls", "--out", folder / "vtk"]
+def walls_for_paraview(report):
+    example()
+    command = [sys.executable, ROOT / "tools/to_vtk.py", folder() / "dump.uniaxial", "--walls",
+               folder() / "dump.walls", "--out", folder() / "vtk"]
     subprocess.run(command, check=True, capture_output=True)
-    listed = re.findall(r'file="(.*?)"', (folder / "vtk.walls.pvd").read_text())
+    listed = re.findall(r'file="(.*?)"', (folder() / "vtk.walls.pvd").read_text())
     sizes = {re.search(r'NumberOfPoints="(\d+)" NumberOfCells="(\d+)"',
-                       (folder / name).read_text()).groups()
+                       (folder() / name).read_text()).groups()
              for name in listed}
     report.true("walls for ParaView: two lines in each frame",
-                sizes == {("4", "2")} and len(listed) == len(read_dump(folder / "dump.uniaxial")),
+                sizes == {("4", "2")} and len(listed) == len(read_dump(folder() / "dump.uniaxial")),
                 f"{len(listed)}")
 
 
@@ -83,7 +101,7 @@ def body(X, u=0.0, **columns):
     return bodies.Body(0, names, np.stack(table, axis=1))
 
 
-def pixels():
+def pixels(report):
     """A square lattice of spacing 1 and a cubic one: owners of pixels are the nearest particles."""
     X = np.array([[i, j, 0.0] for i in range(8) for j in range(6)])
     for what, X, section in (("plane", X, None),
@@ -105,7 +123,7 @@ def pixels():
                  1e-9)
 
 
-def units():
+def units(report):
     triangle = np.array([[0, 0, -1], [0, 0, 3], [4, 0, 3.0]])
     cut = np.array(sorted(map(list, next(bodies.lines([triangle], 2, 1.0)))))
     report.true("section of a wall", np.allclose(cut, [[0, 0, 1], [2, 0, 1]]), "a line")
@@ -119,11 +137,11 @@ def units():
                 " ".join(unit for _, unit in found))
 
 
-def unfinished():
+def unfinished(report):
     """Beside a dump of a run that goes on: torn anywhere in its last frame, that one is left out;
     and a table, a log, a profile that have begun, a text and an input without a title do no
     harm."""
-    place = folder / "unfinished it is"
+    place = folder() / "unfinished it is"
     place.mkdir()
     frame = ("ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS ss ss pp\n"
              + 3 * "0 1\n" + "ITEM: ATOMS id x y damage radius\n"
@@ -151,9 +169,9 @@ def unfinished():
     report.true("a broken dump", "dump.x is broken" in said and said.count("\n") == 1, said.strip())
 
 
-def without_names():
+def without_names(report):
     """A table under the names of LAMMPS is drawn; a dump under its names is told to be without."""
-    bare = folder / "bare"
+    bare = folder() / "bare"
     bare.mkdir()
     (bare / "dump.body").write_text(
         "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ss ss pp\n0 1\n0 1\n0 1\n"
@@ -169,30 +187,21 @@ def without_names():
                 "dump_modify colname" in said and "c_field[1]" in said, said)
 
 
-def wrong():
-    (folder / "empty").mkdir()
-    for words, text in (((folder / "nowhere",), "no folder"),
-                        ((folder / "empty",), "run an input there"),
-                        ((folder, "--field", "heat"), "no column heat"),
-                        ((folder, "--step", 10**9), "its frames are"),
-                        ((folder, "--range=2:1"), "give LOW:HIGH"),
-                        ((folder, "--section", "w"), "give x, y or z"),
-                        ((folder, "--magnify", "nan"), "give a number"),
-                        ((folder, "--out", folder / "nowhere/x"), "cannot write")):
+def wrong(report):
+    example()
+    (folder() / "empty").mkdir()
+    for words, text in (((folder() / "nowhere",), "no folder"),
+                        ((folder() / "empty",), "run an input there"),
+                        ((folder(), "--field", "heat"), "no column heat"),
+                        ((folder(), "--step", 10**9), "its frames are"),
+                        ((folder(), "--range=2:1"), "give LOW:HIGH"),
+                        ((folder(), "--section", "w"), "give x, y or z"),
+                        ((folder(), "--magnify", "nan"), "give a number"),
+                        ((folder(), "--out", folder() / "nowhere/x"), "cannot write")):
         said = plot(*words, fails=True)
         report.true(f"plot.py {' '.join(map(str, words[1:]))}",
                     text in said and said.count("\n") == 1, said.strip())
 
 
-try:
-    example()
-    pictures()
-    walls_for_paraview()
-    pixels()
-    units()
-    without_names()
-    unfinished()
-    wrong()
-finally:
-    shutil.rmtree(folder)
-report.finish()
+if __name__ == "__main__":
+    main(pictures, walls_for_paraview, pixels, units, without_names, unfinished, wrong)

@@ -7,7 +7,9 @@ import os
 import re
 from pathlib import Path
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Script, main
 
 ROOT = Path(__file__).resolve().parents[2]
 LMP = os.environ["TMSPH_LMP"]
@@ -61,16 +63,19 @@ def run(lmp, plugin):
     return Script(first + head + HEATED + "clear\n" + head + HEATED).run()
 
 
-report = Report()
-loaded, own = run(HOST, True), run(LMP, False)
-listed = set(re.findall(r"^ *\d+: (\w+) style plugin (\S+)", loaded.log, re.M))
-missing = {style for style in declared() if style[0] not in UNLISTED} - listed
-report.true("all styles are in the plugin", not missing, ", ".join(map(str, missing))
-            or "none missing")
-report.true("runs", len(own.tables) == len(loaded.tables) == 4, "4 with and without the plugin")
-report.above("bonds broken", own.thermo("f_break")[-1], 0)
-for k, (a, b) in enumerate(zip(own.tables, loaded.tables), 1):
-    report.true(f"run {k}, numbers of the plugin",
-                all(np.array_equal(a[name], b[name]) for name in a),
-                "those of the package, bit for bit")
-report.finish()
+def plugin(report):
+    loaded, own = run(HOST, True), run(LMP, False)
+    listed = set(re.findall(r"^ *\d+: (\w+) style plugin (\S+)", loaded.log, re.M))
+    missing = {style for style in declared() if style[0] not in UNLISTED} - listed
+    report.true("all styles are in the plugin", not missing, ", ".join(map(str, missing))
+                or "none missing")
+    report.true("runs", len(own.tables) == len(loaded.tables) == 4, "4 with and without the plugin")
+    report.above("bonds broken", own.thermo("f_break")[-1], 0)
+    for k, (a, b) in enumerate(zip(own.tables, loaded.tables), 1):
+        report.true(f"run {k}, numbers of the plugin",
+                    all(np.array_equal(a[name], b[name]) for name in a),
+                    "those of the package, bit for bit")
+
+
+if __name__ == "__main__":
+    main(plugin)

@@ -7,7 +7,9 @@ a block under a wall that moves; an inclusion and cracks that touch with frictio
 
 import re
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, Script, disc_materials, lattice, main, material
 
 SPACING, RADIUS = 2.5e-3, 0.05
 RATE = 0.04    # degrees per step
@@ -90,10 +92,9 @@ def sequence(report):
     report.below("lost by particles, difference", abs(lost - len(event)), 1)
     report.below("kinetic energy", np.abs(table["KinEng"]).max(), 1e-300)
     report.below("force evaluations/steps", evaluations(run) / steps, 1)
-    return run
 
 
-def decomposition(report, reference):
+def decomposition(report):
     """Ranks, runs in parts and restarts. A part starts afresh, so that the reference has the
     same parts or writes a restart at the same step."""
     steps, middle = 3500, 2700
@@ -214,10 +215,4 @@ def touching(report):
 
 
 if __name__ == "__main__":
-    report = Report()
-    reference = sequence(report)
-    decomposition(report, reference)
-    minima(report)
-    pressed(report)
-    touching(report)
-    report.finish()
+    main(sequence, decomposition, minima, pressed, touching)

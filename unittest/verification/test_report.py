@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 from reporting import accuracy, peers, plots
-from tmsph_testing import Report
+from tmsph_testing import main
 
 spec = importlib.util.spec_from_file_location("tmsph_report", ROOT / "tools" / "report.py")
 tool = importlib.util.module_from_spec(spec)
@@ -54,7 +54,5 @@ def published(report):
     report.true("names of studies differ", len(set(names)) == len(names), "by name")
 
 
-report = Report()
-evaluation(report)
-published(report)
-report.finish()
+if __name__ == "__main__":
+    main(evaluation, published)

@@ -3,11 +3,16 @@
 limit of their size tears, and at random moments; torn restart files are known. Ten kills each:
 test_resume_long; kills at each place where a file changes: test_resume_calls."""
 
+import os
+import subprocess
+import sys
 import tempfile
+import time
+from pathlib import Path
 
-from resume import commands, frames, restart_files
-from resuming import *
-from tmsph_testing import Report
+from resume import commands, frames, newest, restart_files, restart_step
+from resuming import ROOT, Example, interrupt, random_kills
+from tmsph_testing import main
 
 DYNAMIC = ["-var", "dx", "4e-3", "-var", "rate", "0.1", "-var", "restart", "200"]
 SHORT = ["-var", "dx", "5e-3", "-var", "rate", "0.4", "-var", "restart", "100", "-var", "dump",
@@ -104,10 +109,13 @@ def wrong(report):
         refused("in.x", "x.xyz would be written over")
 
 
-if __name__ == "__main__":
-    report = Report()
-    wrong(report)
-    torn_files(report)
+def dynamic(report):
     killed(report, "disc", "dynamic, 1 rank", DYNAMIC, 1, 3, 30, 1, torn)
+
+
+def quasistatic(report):
     killed(report, "disc", "quasi-static, 2 ranks", QUASISTATIC, 2, 3, 60, 2)
-    report.finish()
+
+
+if __name__ == "__main__":
+    main(wrong, torn_files, dynamic, quasistatic)

@@ -15,7 +15,7 @@ import time
 from pathlib import Path
 
 import resume
-from tmsph_testing import Report
+from tmsph_testing import main
 
 INPUT = """variable name index state
 restart 3 ${name}.1 ${name}.2
@@ -228,7 +228,7 @@ def new(folder):
     return place
 
 
-def each_place(report, folder, stride):
+def kills_at_each_place(report, folder, stride):
     """One kill of a first run at each place; of some of them two kills, the second at each place of
     the resumed run, its own steps and those of lmp; three at some."""
     fresh = new(folder)
@@ -251,7 +251,7 @@ def each_place(report, folder, stride):
         kills.done()
 
 
-def afresh(report, folder, stride):
+def kills_of_another_run(report, folder, stride):
     """What a run with other arguments left, and a resumed one that was killed too, is not mixed
     with what a new run writes, wherever that is killed. Its first place is before its record."""
     killed = new(folder)
@@ -271,7 +271,7 @@ def afresh(report, folder, stride):
     kills.done()
 
 
-def what_it_waits_for(report, folder):
+def locks_and_processes(report, folder):
     """A lock that a killed lmp still holds, and processes that go on without it; not for ever."""
     resume.PATIENCE = 1
     killed = new(folder)
@@ -295,10 +295,23 @@ def what_it_waits_for(report, folder):
                 report.true(f"{what}, for long", good, said.strip())
 
 
+def in_a_folder(part, report, *args):
+    with tempfile.TemporaryDirectory() as folder:
+        part(report, folder, *args)
+
+
+def each_place(report):
+    in_a_folder(kills_at_each_place, report, 26)
+
+
+def afresh(report):
+    in_a_folder(kills_of_another_run, report, 9)
+
+
+def what_it_waits_for(report):
+    in_a_folder(locks_and_processes, report)
+
+
 if __name__ == "__main__":
     os.environ["TMSPH_LMP"] = sys.executable    # only looked for
-    report = Report()
-    for part, *args in ((each_place, 26), (afresh, 9), (what_it_waits_for,)):
-        with tempfile.TemporaryDirectory() as folder:
-            part(report, folder, *args)
-    report.finish()
+    main(each_place, afresh, what_it_waits_for)

@@ -4,12 +4,11 @@ were called: what it installs, builds, waits for and says. Nothing is built or f
 
 import os
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
 
-from tmsph_testing import Report
+from tmsph_testing import main
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -44,8 +43,6 @@ fi""",
     "sudo": "exit 1",
     "id": 'case "$*" in -u) echo "${USER_ID:-0}" ;; *) /usr/bin/id "$@" ;; esac',
 }
-
-report = Report()
 
 
 class Place:
@@ -90,7 +87,7 @@ class Place:
         return self.folder / "home/.cache/tmsph"
 
 
-def what_is_built(place):
+def what_is_built(report, place):
     status, out, said, calls = place.call("--version")
     report.true("--version before a build", status == 0 and "not built yet" in out
                 and "cmake -" not in calls and str(place.cache / "build-") in out, out.strip())
@@ -125,7 +122,7 @@ def what_is_built(place):
     report.true("--version", "compiler stub" in out and "not built" not in out, out.strip())
 
 
-def what_waits(place):
+def what_waits(report, place):
     """While the tests are being built a run starts, but not while lmp is."""
     place.call("run", "run/in.x")
     ready = place.folder / "ready"
@@ -149,7 +146,7 @@ def what_waits(place):
     tests.communicate(timeout=60)
 
 
-def what_fails(place):
+def what_fails(report, place):
     status, out, said, calls = place.call("tset")
     report.true("a wrong word", status == 2 and "no command 'tset'" in said and not calls,
                 said.strip())
@@ -176,7 +173,7 @@ def what_fails(place):
     report.true("another LAMMPS", status == 1 and "4Feb2025 or 4Jul2026" in said, said.strip())
 
 
-def pages_and_make():
+def pages_and_make(report):
     """The batch script of README is one, and traditional make is refused in one line."""
     text = (ROOT / "README.md").read_text()
     block = text[text.index("#!/bin/bash"):]
@@ -190,8 +187,15 @@ def pages_and_make():
                 and "./tmsph" in done.stderr, done.stderr.strip())
 
 
-pages_and_make()
-for part in (what_is_built, what_waits, what_fails):
-    with tempfile.TemporaryDirectory() as folder:
-        part(Place(folder))
-report.finish()
+def in_a_place(part):
+    """A case of a report, in a place of its own."""
+    def case(report):
+        with tempfile.TemporaryDirectory() as folder:
+            part(report, Place(folder))
+
+    case.__name__ = part.__name__
+    return case
+
+
+if __name__ == "__main__":
+    main(pages_and_make, *map(in_a_place, (what_is_built, what_waits, what_fails)))

@@ -3,9 +3,11 @@
 that is drawn away beneath it; a block pushed into the corner of an angle. The outlines are found by
 the package.
 
-With the word "all" it also runs what doc/report/contact.md has in its table."""
+all_laws prints the table of doc/report/contact.md."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Cloud, Scene, lattice, main, material
 
 EDGE, YOUNG, POISSON, DENSITY = 0.1, 10e6, 0.2, 1000.0
 WAVE = (YOUNG * (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON)) / DENSITY) ** 0.5
@@ -111,29 +113,38 @@ def judge(report, bar, block, words, mean, scatter):
     return normal, friction
 
 
-if __name__ == "__main__":
-    report = Report()
-    cornered(report)
+def drawn_away(report):
     for words in ("method kernel", "method segment", "method kernel law penalty",
                   "method segment law penalty"):
         judge(report, 10, 14, words, 0.002, 0.01)
+
+
+def half_the_step(report):
     one = figures(drawn(10, 14, "method segment"))
     half = figures(drawn(10, 14, "method segment", cfl=0.2))
     for k, name in enumerate(("normal force", "friction/normal force")):
         report.below(f"half the time step, method segment: change of {name}",
                      abs(half[k] / one[k] - 1), 0.005)
+
+
+def law_of_the_paper(report):
     for method in ("kernel", "segment"):
         # the bar is that of the others
         report.above(f"law paper, method {method}: scatter of the normal force",
                      figures(drawn(10, 14, f"method {method} law paper"))[2], 0.01)
-    if sys.argv[1:] == ["all"]:
-        print("method, law, time step, viscosity: normal force/load, friction/normal force, "
-              "scatter")
-        for method in ("kernel", "segment"):
-            for law in ("implicit", "penalty", "paper"):
-                for cfl, viscosity in ((0.4, 1.0), (0.2, 1.0), (0.4, 0.0)):
-                    forces = drawn(10, 14, f"method {method} law {law}", cfl, viscosity)
-                    row = "stopped" if forces is None else " ".join(
-                        f"{x:.4f}" for x in figures(forces))
-                    report.note(f"{method} {law} {cfl} {viscosity}", row)
-    report.finish()
+
+
+def all_laws(report):
+    print("method, law, time step, viscosity: normal force/load, friction/normal force, scatter")
+    for method in ("kernel", "segment"):
+        for law in ("implicit", "penalty", "paper"):
+            for cfl, viscosity in ((0.4, 1.0), (0.2, 1.0), (0.4, 0.0)):
+                forces = drawn(10, 14, f"method {method} law {law}", cfl, viscosity)
+                row = "stopped" if forces is None else " ".join(
+                    f"{x:.4f}" for x in figures(forces))
+                report.note(f"{method} {law} {cfl} {viscosity}", row)
+
+
+if __name__ == "__main__":
+    main(cornered, drawn_away, half_the_step, law_of_the_paper,
+         more=(all_laws,))

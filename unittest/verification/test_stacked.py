@@ -7,7 +7,8 @@ the contact stands for the cells on both sides of the surface.
 
 Each block has the horizon that fits its spacing."""
 
-from scenes.stacked import *
+from scenes.stacked import Stacked
+from tmsph_testing import main
 
 
 def press(report, low, high, ratio=1.0, stiffness=1.0):
@@ -25,13 +26,22 @@ def press(report, low, high, ratio=1.0, stiffness=1.0):
         report.below(f"{what}: scatter of pressure between the walls", blocks.scatter, 0.05)
 
 
-report = Report()
-press(report, 10, 10)
-press(report, 10, 20)
-press(report, 20, 10)
-press(report, 14, 20)
-press(report, 10, 10, ratio=10)
-press(report, 14, 20, ratio=10)
-press(report, 10, 10, stiffness=1000)
-press(report, 14, 20, stiffness=1000)
-report.finish()
+def equal(report):
+    press(report, 10, 10)
+    press(report, 10, 20)
+    press(report, 20, 10)
+    press(report, 14, 20)
+
+
+def unequal(report):
+    press(report, 10, 10, ratio=10)
+    press(report, 14, 20, ratio=10)
+
+
+def stiff_contact(report):
+    press(report, 10, 10, stiffness=1000)
+    press(report, 14, 20, stiffness=1000)
+
+
+if __name__ == "__main__":
+    main(equal, unequal, stiff_contact)

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 
-from tmsph_testing import Report, Scene, Script, lattice, material
+from tmsph_testing import Scene, Script, lattice, main, material
 
 HORIZON = 3.015
 SPACING = 1e-3
@@ -136,12 +136,11 @@ def other_units(report):
                     and "No solid" not in run.log and abs(speed / factor - 4466) < 1, f"{speed:g}")
 
 
-report = Report()
-numbers(report, 2)
-numbers(report, 2, " plane stress")
-numbers(report, 3)
-again(report)
-many_types(report)
-thick(report)
-other_units(report)
-report.finish()
+def what_is_told(report):
+    numbers(report, 2)
+    numbers(report, 2, " plane stress")
+    numbers(report, 3)
+
+
+if __name__ == "__main__":
+    main(what_is_told, again, many_types, thick, other_units)

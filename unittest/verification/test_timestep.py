@@ -2,7 +2,9 @@
 """The stable time step that compute tmsph/dt reports: at 0.98 of it random noise
 stays as it is, at 1.05 of it the body blows up."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, main, material
 
 SPACING, STEPS = 1e-3, 20000
 ROCK, SOFT = material(), material(poisson=0.48)
@@ -64,8 +66,11 @@ def check(report, name, viscous):
     report.above(f"{what}: growth at 1.05 dt", growth(name, viscous, 1.05 * dt), 1e6)
 
 
-report = Report()
-for name in BODIES:
-    for viscous in (False, True):
-        check(report, name, viscous)
-report.finish()
+def limits(report):
+    for name in BODIES:
+        for viscous in (False, True):
+            check(report, name, viscous)
+
+
+if __name__ == "__main__":
+    main(limits)

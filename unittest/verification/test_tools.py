@@ -6,31 +6,46 @@ itself, lengths those of compute tmsph/crack; the cracks of the disc run radiall
 expansions exchanged around the inclusion; events made of the bonds that tmsph/cut removes along
 a line or plane point along it. Wrong files stop with one line that says why."""
 
+import atexit
 import base64
 import csv
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
 import xml.etree.ElementTree as xml
+from functools import cache
+from pathlib import Path
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, Script, lattice, main, material, read_dump
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ("examples/disc/in.disc", "potentials/mu2022.tmsph")    # it includes the second
 FIELDS = "ux uy temperature damage sxx syy szz sxy s1 s3 strength radius".split()
 INNER, SPACING = 0.015, 2.5e-3
 
-report = Report()
-folder = Path(tempfile.mkdtemp(prefix="tmsph-"))
+
+@cache
+def folder():
+    """A temporary one, for all cases."""
+    place = Path(tempfile.mkdtemp(prefix="tmsph-"))
+    atexit.register(shutil.rmtree, place)
+    return place
 
 
 def tool(name, *words, fails=False):
     command = [sys.executable, ROOT / "tools" / name, *map(str, words)]
-    done = subprocess.run(command, cwd=folder, text=True, capture_output=True)
+    done = subprocess.run(command, cwd=folder(), text=True, capture_output=True)
     if (done.returncode != 0) != fails:
         raise RuntimeError(f"{name} {words}: {done.stdout}{done.stderr}")
     return done.stderr if fails else done.stdout
 
 
 def table(name):
-    with open(folder / name) as file:
+    with open(folder() / name) as file:
         rows = list(csv.reader(file))
     return dict(zip(rows[0], np.array(rows[1:], float).T))
 
@@ -45,8 +60,13 @@ def disc(swap, dumps=True):
                    {name: (ROOT / name).read_text() for name in EXAMPLE})
     run = scene.run(keep="examples/disc/*")
     for name, data in run.kept.items():
-        (folder / name).write_bytes(data)
-    (folder / "log.disc").write_text(run.log)
+        (folder() / name).write_bytes(data)
+    (folder() / "log.disc").write_text(run.log)
+
+
+@cache
+def example():
+    disc("no")
 
 
 def axes(name):
@@ -57,11 +77,11 @@ def axes(name):
     return count.sum(), np.array([count @ np.cos(angle), count @ np.sin(angle)]) / count.sum()
 
 
-def counts():
-    disc("no")
+def counts(report):
+    example()
     out = tool("cracks.py", "events.txt", "--curve", "broken_bonds.txt", "--out", "curve")
     tool("cracks.py", "events.txt", "--log", "log.disc", "--out", "log", "--against", "step")
-    curve = np.loadtxt(folder / "broken_bonds.txt", skiprows=1)
+    curve = np.loadtxt(folder() / "broken_bonds.txt", skiprows=1)
     last = curve[-1]    # step temperature broken tension shear area opening
     events = table("curve.events.csv")
     report.true("cumulative events at the end", events["events"][-1] == last[2] > 100,
@@ -86,16 +106,17 @@ def counts():
                 f"{last[2]:g}")
     for name in ("rose", "events", "length"):
         report.true(f"picture of the {name}",
-                    (folder / f"curve.{name}.png").read_bytes()[:4] == b"\x89PNG", "PNG")
+                    (folder() / f"curve.{name}.png").read_bytes()[:4] == b"\x89PNG", "PNG")
 
 
-def directions():
+def directions(report):
     """cracks.py as a module, for the direction at each event."""
+    example()
     sys.path.insert(0, str(ROOT / "tools"))
     import cracks
 
     def cosines():
-        events = cracks.Events(folder / "events.txt")
+        events = cracks.Events(folder() / "events.txt")
         X = events.place[:, :2]
         r = np.linalg.norm(X, axis=1)
         normal = events.axes(cracks.REACH * events.spacing())
@@ -131,13 +152,13 @@ def cut_events(cloud, shape):
     bond = X[j] - X[i]
     bond /= np.linalg.norm(bond, axis=1)[:, None]
     rows = np.hstack([0.5 * (X[i] + X[j]), bond])
-    (folder / "line.txt").write_text(events_file(
+    (folder() / "line.txt").write_text(events_file(
         [f"{k + 1} {i[k] + 1} {j[k] + 1} {k} {k} " + " ".join(f"{v:.9g}" for v in row) + f" 1 1 {k}"
          for k, row in enumerate(rows)]))
     return len(i)
 
 
-def line():
+def line(report):
     for angle in (0, 25, 60, 100):
         c, s = 0.3 * np.cos(np.radians(angle)), 0.3 * np.sin(np.radians(angle))
         number = cut_events(lattice("hex", (50, 29), 0.02, centre=True), f"line {-c} {-s} {c} {s}")
@@ -149,7 +170,7 @@ def line():
                      abs((found - angle + 90) % 180 - 90), 1.0)
 
 
-def plane():
+def plane(report):
     """3-D: a round cut that strikes at 40 degrees and dips by 35."""
     strike, dip = np.radians(40), np.radians(35)
     normal = np.sin(dip) * np.array([-np.sin(strike), np.cos(strike), 0]) + [0, 0, np.cos(dip)]
@@ -165,13 +186,14 @@ def plane():
                  tilt["events"][tilt["from_degrees"] == 30][0] / number, 0.8)
 
 
-def other_readers():
+def other_readers(report):
     """ASE's reader and ours, and what goes to ParaView."""
+    example()
     from ase.io import read
     tool("to_vtk.py", "dump.disc", "--bonds", "dump.bonds", "--xyz")
-    named = read(folder / "dump.disc.xyz", index=":")
-    frames = read(folder / "dump.disc", index=":", format="lammps-dump-text", order=True)
-    ours = read_dump(folder / "dump.disc")
+    named = read(folder() / "dump.disc.xyz", index=":")
+    frames = read(folder() / "dump.disc", index=":", format="lammps-dump-text", order=True)
+    ours = read_dump(folder() / "dump.disc")
     report.true("frames that ASE reads", len(frames) == len(ours) > 3, f"{len(ours)}")
     report.true("frames of extended XYZ that ASE reads", len(named) == len(ours), f"{len(ours)}")
     same = {"positions": True, "types": True, "fields by their names": True}
@@ -184,9 +206,9 @@ def other_readers():
             same["fields by their names"] &= np.array_equal(fields[name], frame[name])
     for what, equal in same.items():
         report.true(f"{what} of ASE and of our reader", equal, "equal in all frames")
-    vtk(ours)
-    vtk_reader(ours)
-    mdanalysis(ours)
+    vtk(report, ours)
+    vtk_reader(report, ours)
+    mdanalysis(report, ours)
 
 
 def installed(module):
@@ -199,7 +221,7 @@ def installed(module):
         return None
 
 
-def vtk_reader(ours):
+def vtk_reader(report, ours):
     """Names, radii and bonds as VTK's own reader, which is ParaView's, finds them."""
     if not installed("vtkmodules"):
         return
@@ -208,7 +230,7 @@ def vtk_reader(ours):
 
     def grid(name):
         reader = vtkXMLUnstructuredGridReader()
-        reader.SetFileName(str(folder / name))
+        reader.SetFileName(str(folder() / name))
         reader.Update()
         return reader.GetOutput()
 
@@ -221,14 +243,14 @@ def vtk_reader(ours):
             good &= np.array_equal(vtk_to_numpy(data.GetArray(name)), frame[name])
     report.true("VTK: points, fields and radii", good, "equal in all frames")
     lines = grid(f"dump.disc.bonds.{ours[-1].step}.vtu")
-    rows = read_dump(folder / "dump.bonds")[-1]
+    rows = read_dump(folder() / "dump.bonds")[-1]
     ends = vtk_to_numpy(lines.GetCells().GetConnectivityArray()).reshape(-1, 2)
     state = vtk_to_numpy(lines.GetCellData().GetArray("state"))
     report.true("VTK: bonds and their states", np.array_equal(ends + 1, rows("batom1 batom2"))
                 and np.array_equal(state, rows["btype"]), f"{len(rows['btype'])}")
 
 
-def mdanalysis(ours):
+def mdanalysis(report, ours):
     """It reads ids, types and positions of a dump, in single precision and from the corner of the
     box; further columns only as of a later version than Debian's."""
     module = installed("MDAnalysis")
@@ -236,7 +258,7 @@ def mdanalysis(ours):
         return
     import warnings
     warnings.simplefilter("ignore")
-    universe = module.Universe(str(folder / "dump.disc"), format="LAMMPSDUMP",
+    universe = module.Universe(str(folder() / "dump.disc"), format="LAMMPSDUMP",
                                topology_format="LAMMPSDUMP",
                                lammps_coordinate_convention="unscaled")
     good = len(universe.trajectory) == len(ours)
@@ -258,14 +280,14 @@ def decoded(element):
                                                                        1))).squeeze()
 
 
-def vtk(frames):
+def vtk(report, frames):
     """The files for ParaView, decoded here."""
     listed = [(int(s.get("timestep")),
-               s.get("file")) for s in xml.parse(folder / "dump.disc.pvd").iter("DataSet")]
+               s.get("file")) for s in xml.parse(folder() / "dump.disc.pvd").iter("DataSet")]
     report.true("frames in the series", len(listed) == len(frames), f"{len(frames)}")
     good = True
     for (_, name), frame in zip(listed, frames):
-        root = xml.parse(folder / name).getroot()
+        root = xml.parse(folder() / name).getroot()
         arrays = {a.get("Name"): decoded(a) for a in root.iter("DataArray")}
         good &= np.array_equal(arrays["Points"][:, :2], frame("x y"))
         good &= np.array_equal(arrays["type"], frame["type"])
@@ -275,9 +297,9 @@ def vtk(frames):
             good &= np.array_equal(arrays[field], frame[field])
         good &= np.array_equal(arrays["connectivity"], np.arange(len(frame["id"])))
     report.true("points and all fields of the files for ParaView", good, "those of the dump")
-    root = xml.parse(folder / f"dump.disc.bonds.{listed[-1][0]}.vtu").getroot()
+    root = xml.parse(folder() / f"dump.disc.bonds.{listed[-1][0]}.vtu").getroot()
     arrays = {a.get("Name"): decoded(a) for a in root.iter("DataArray")}
-    rows = read_dump(folder / "dump.bonds")[-1]
+    rows = read_dump(folder() / "dump.bonds")[-1]
     report.true("lines are the bonds", np.array_equal(arrays["connectivity"].reshape(-1, 2) + 1,
                                                       rows("batom1 batom2")),
                 f"{len(rows['index'])}")
@@ -285,11 +307,12 @@ def vtk(frames):
                 == np.count_nonzero(rows["btype"] == 1) > 0, "as in the dump")
 
 
-def wrong_files():
-    lines = (folder / "events.txt").read_text().split("\n")
-    (folder / "short.txt").write_text("\n".join(lines[:20]))
-    (folder / "words.txt").write_text("hello\n")
-    (folder / "empty.txt").write_text(events_file([]))
+def wrong_files(report):
+    example()
+    lines = (folder() / "events.txt").read_text().split("\n")
+    (folder() / "short.txt").write_text("\n".join(lines[:20]))
+    (folder() / "words.txt").write_text("hello\n")
+    (folder() / "empty.txt").write_text(events_file([]))
     for words, text in ((("dump.disc",), "dump of particles"), (("absent",), "cannot read absent"),
                         (("words.txt",), "not a text dump"), (("short.txt",), "breaks off"),
                         (("dump.bonds",), "0 columns of a fix, not the 13"),
@@ -314,13 +337,5 @@ def wrong_files():
                     said.strip())
 
 
-try:
-    counts()
-    other_readers()
-    directions()
-    line()
-    plane()
-    wrong_files()
-finally:
-    shutil.rmtree(folder)
-report.finish()
+if __name__ == "__main__":
+    main(counts, other_readers, directions, line, plane, wrong_files)

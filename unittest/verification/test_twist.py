@@ -6,7 +6,9 @@ normal force, and the normal force stays what it was: turned, the two still fit.
 
 The rim of the ring is held, and the ring damped: against a constant friction it would squeal."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, disc_materials, lattice, main
 
 INCLUSION, RADIUS, SPACING, HEATED, SLIP = 0.015, 0.030, 1e-3, 100.0, 5
 HEATING, TURNING = 3000, 9000    # steps
@@ -65,8 +67,10 @@ fix contact all tmsph/contact friction * * {friction} surface interface""")
     report.within(f"friction {friction}: largest", drift.max(), -0.01, 0.01)
 
 
-if __name__ == "__main__":
-    report = Report()
+def turned(report):
     for friction in (0.6, 0.3):
         turn(report, friction)
-    report.finish()
+
+
+if __name__ == "__main__":
+    main(turned)

@@ -7,7 +7,12 @@ the platens as well: the bond of the lowest mean of two strengths breaks first, 
 A sideways stress counts (1 + m/2) times in that, m = 29: inertia and rows at platens may leave one
 of 1 percent of the pressure."""
 
-from tmsph_testing import *
+import re
+from pathlib import Path
+
+import numpy as np
+
+from tmsph_testing import HORIZON, Script, main
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ("examples/uniaxial/in.uniaxial", "potentials/granite.tmsph")    # it includes the second
@@ -38,12 +43,18 @@ def quantile(share):
     return STRENGTH * PARTICLES ** (-1 / MODULUS) * (-np.log(1 - share)) ** (1 / MODULUS)
 
 
-report = Report()
-low, high = quantile(0.001), quantile(0.999)
-for seed in (4711, 1, 2):
-    report.within(f"first break, friction 0.2, seed {seed}, MPa", first_break(0.2, seed)[0],
-                  low, high)
-stress, run = first_break(0.0, 4711)
-report.within("first break without friction/strength of the weakest bond",
-              stress / weakest_bond(run), 1 - SIDEWAYS, 1 + SIDEWAYS)
-report.finish()
+def with_friction(report):
+    low, high = quantile(0.001), quantile(0.999)
+    for seed in (4711, 1, 2):
+        report.within(f"first break, friction 0.2, seed {seed}, MPa", first_break(0.2, seed)[0],
+                      low, high)
+
+
+def without_friction(report):
+    stress, run = first_break(0.0, 4711)
+    report.within("first break without friction/strength of the weakest bond",
+                  stress / weakest_bond(run), 1 - SIDEWAYS, 1 + SIDEWAYS)
+
+
+if __name__ == "__main__":
+    main(with_friction, without_friction)

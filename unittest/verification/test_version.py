@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from tmsph_testing import Report, Scene, Script, lattice, material
+from tmsph_testing import Scene, Script, lattice, main, material
 
 ROOT = Path(__file__).resolve().parents[2]
 SPACING = 1e-3
@@ -21,29 +21,32 @@ def named(path, pattern):
     return found[1] if found else None
 
 
-def files(report, version):
-    report.true("version in CITATION.cff", named("CITATION.cff", r"^version: (.*)") == version,
-                version)
-    report.true("version in CHANGELOG.md", named("CHANGELOG.md", r"^## ([^ ,]+)") == version,
+VERSION = named("src/TMSPH/tmsph_version.h", r'VERSION\[\] = "(.*)"')
+
+
+def files(report):
+    report.true("version in CITATION.cff", named("CITATION.cff", r"^version: (.*)") == VERSION,
+                VERSION)
+    report.true("version in CHANGELOG.md", named("CHANGELOG.md", r"^## ([^ ,]+)") == VERSION,
                 "of its newest entry")
     said = subprocess.run([ROOT / "tmsph", "--version"], capture_output=True, text=True).stdout
-    report.true("version of the script", said.startswith(f"TMSPH    {version}, "),
+    report.true("version of the script", said.startswith(f"TMSPH    {VERSION}, "),
                 said.partition("\n")[0])
 
 
-def runs(report, version):
+def runs(report):
     scene = Scene(lattice("square", (6, 6), SPACING), [material()])
     first = scene.add("run 1\nwrite_restart r").run(keep="r")
-    report.true("version at the start of a run", f"\nTMSPH {version}: 3" in first.log, version)
+    report.true("version at the start of a run", f"\nTMSPH {VERSION}: 3" in first.log, VERSION)
     data = first.kept["r"]
-    report.true("version in a restart file", data.count(version.encode() + b"\0") == 1, version)
+    report.true("version in a restart file", data.count(VERSION.encode() + b"\0") == 1, VERSION)
     # as long as this one, so that the file keeps its layout
-    other = "0." + "7" * (len(version) - 2)
+    other = "0." + "7" * (len(VERSION) - 2)
     ranks = 2
-    for name, expected in ((version, 0), (other, 1)):
-        file = data.replace(version.encode() + b"\0", name.encode() + b"\0")
+    for name, expected in ((VERSION, 0), (other, 1)):
+        file = data.replace(VERSION.encode() + b"\0", name.encode() + b"\0")
         again = Script("read_restart r\nrun 1", {"r": file}).run(ranks)
-        told = again.log.count(f"written by TMSPH {name}, read by TMSPH {version}")
+        told = again.log.count(f"written by TMSPH {name}, read by TMSPH {VERSION}")
         report.true(f"restart of version {name}", told == expected, f"told {expected} times")
 
 
@@ -59,14 +62,5 @@ def citation(report):
         report.true("what to cite", done.returncode == 0 and doi in cite.read_text(), doi)
 
 
-def main():
-    report = Report()
-    version = named("src/TMSPH/tmsph_version.h", r'VERSION\[\] = "(.*)"')
-    files(report, version)
-    runs(report, version)
-    citation(report)
-    report.finish()
-
-
 if __name__ == "__main__":
-    main()
+    main(files, runs, citation)

@@ -3,7 +3,9 @@
 3-D; stick-slip on a belt; a block that swings in a bowl; a dropped block; a plate under a
 load; a box that turns with what is in it; a bumpy floor; corners."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, main, material
 
 GRAVITY, MU, EDGE = 9.81, 0.3, 0.1
 ROCK = material(10e6, 0.2, 1000.0)
@@ -241,15 +243,10 @@ def corner(report):
                  np.abs(ends[0] - ends[1]).max() / SPACING, 1e-9)
 
 
-report = Report()
-for angle in (10.0, 16.0, 17.5, 30.0):
-    incline(report, angle)
-plane(report)
-belt(report)
-bowl(report)
-drop(report)
-loaded(report)
-turning_box(report)
-bumps(report)
-corner(report)
-report.finish()
+def inclines(report):
+    for angle in (10.0, 16.0, 17.5, 30.0):
+        incline(report, angle)
+
+
+if __name__ == "__main__":
+    main(inclines, plane, belt, bowl, drop, loaded, turning_box, bumps, corner)

@@ -10,7 +10,9 @@ rows of a square lattice. With the share of the wall, averaged as pair_tmsph_pre
 the equilibrium of the rows leaves 1.3 %, and the stress of the lowest is that of half a spacing
 above, here 1 %: bar 2 %. Friction may hold particles of a row unevenly: their mean counts."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, main, material
 
 SPACING, ROCK = 0.5, material(40e9, 0.25, 2700.0)
 GRAVITY, SLOPE = 9.81, 0.3
@@ -57,10 +59,12 @@ run 0""")
                       1 - BAR, 1 + BAR)
 
 
-if __name__ == "__main__":
-    report = Report()
+def columns(report):
     line = lambda y: f"line -1 {y:.9g} 100 {y:.9g}"
     column(report, "square", (8, 16), line)
     column(report, "hex", (8, 9), line)
     column(report, "sc", (7, 7, 12), lambda z: f"plane 0 0 {z:.9g} 0 0 1")
-    report.finish()
+
+
+if __name__ == "__main__":
+    main(columns)

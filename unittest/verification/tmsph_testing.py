@@ -382,6 +382,31 @@ class Report:
         sys.exit(1 if self.failures else 0)
 
 
+def thorough():
+    """Whether the command line has the word all, which asks for more than is tested: sizes, ways
+    and tables."""
+    return "all" in sys.argv[1:]
+
+
+def main(*cases, more=()):
+    """Runs the cases of a test, functions of a report, or those of them that the command line
+    names, and ends the test; --list prints their names. more: cases that are run if they or all
+    are asked for."""
+    known = {case.__name__: case for case in (*cases, *more)}
+    words = [word for word in sys.argv[1:] if word != "all"]
+    if "--list" in words:
+        print("\n".join(known))
+        return
+    for word in words:
+        if word not in known:
+            sys.exit(f"There is no case '{word}': --list prints their names")
+    report = Report()
+    for name, case in known.items():
+        if name in words or not words and (case in cases or thorough()):
+            case(report)
+    report.finish()
+
+
 def sampled_frequency(q, interval):
     """Of a cosine from samples at equal intervals: q_(m+1) + q_(m-1) = 2 cos(omega dt) q_m."""
     cosine = np.dot(q[2:] + q[:-2], q[1:-1]) / (2 * np.dot(q[1:-1], q[1:-1]))

@@ -2,9 +2,10 @@
 """First bending mode of a free-free beam, ten times as long as high, in 2-D, against
 Timoshenko's beam, which is good to 1e-3 here."""
 
+import numpy as np
 from numpy.polynomial import legendre
 
-from tmsph_testing import *
+from tmsph_testing import HORIZON, Scene, lattice, material, sampled_frequency
 
 HEIGHT, SLENDER, VELOCITY = 0.01, 10, 1e-3
 ROCK = material()

@@ -2,7 +2,9 @@
 """Heated or stretched blocks of regular lattices that are clamped by periodic directions:
 homogeneous states, and heating that varies along x."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, lattice, material
 
 SPACING = 1e-3
 ROCK = material(40e9, 0.3, 2700, 1e-5)

@@ -1,7 +1,10 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Slabs and discs that conduct heat, against the closed forms of heat_scenes."""
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import SIDES, UNIFORM, Heated, dirichlet, disc_solution, neumann, rms, robin, slab
+from tmsph_testing import LATTICES, lattice
 
 # time, boundaries, temperature at first, exact solution
 

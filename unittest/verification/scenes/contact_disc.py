@@ -3,7 +3,9 @@
 one lattice, and the surface between them is found by the package. A bonded frictionless shrink fit
 has the same stresses (Lame)."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, contact_pressure, disc_materials, disc_polar_stress, lattice
 
 INCLUSION, RADIUS, SPACING, HEATED, STEPS = 0.015, 0.050, 1e-3, 100.0, 3000
 

@@ -3,7 +3,10 @@
 closed form (Timoshenko and Goodier, Theory of Elasticity, 3rd ed., sect. 150). Away from the
 surfaces, which are staircases, is a horizon of a cylinder of 20 particles across the wall."""
 
-from heat_scenes import *
+import numpy as np
+
+from heat_scenes import Heated, rms
+from tmsph_testing import HORIZON, LATTICES, lattice, material
 
 INNER, OUTER, HOT, AWAY = 0.5, 1.0, 100.0, HORIZON / 20
 ROCK = material(40e9, 0.25, 2700.0, 1e-5)

@@ -3,7 +3,9 @@
 One degree, so that strains are linear. Errors are in units of the contact pressure p, root
 mean squares over area and over sigma_r and sigma_theta; radii are those of equal area."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, contact_pressure, disc_polar_stress, lattice
 
 INCLUSION, RADIUS, TEMPERATURE = 0.015, 0.050, 1.0
 FAR = 0.006    # from interface and rim

@@ -3,7 +3,9 @@
 
 from math import fsum
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, material
 
 SPACING, STEPS, EVERY = 1e-3, 100000, 500
 ROCK = material()

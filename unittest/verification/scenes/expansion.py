@@ -2,7 +2,9 @@
 """A free body of two materials of equal expansion, heated uniformly, jittered or not, in
 equilibrium: it expands without stress."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, lattice, material
 
 SPACING, TEMPERATURE = 1e-3, 200.0
 ROCK = material(40e9, 0.3, 2700, 1e-5)

@@ -2,7 +2,9 @@
 """Homogeneous states of a free block of intact rock whose Cauchy stress is known exactly, and
 the Hoek-Brown criterion of Hoek, Carranza-Torres and Corkum (2002), written down here again."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import Scene, lattice, material
 
 SPACING, MI = 1e-3, 8.0
 ROCK = material(40e9, 0.3, 2700)

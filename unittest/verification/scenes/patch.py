@@ -3,7 +3,9 @@
 particles inside have bonds to particles with full families only. These
 start from a random displacement and find their equilibrium."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, lattice, material
 
 SPACING, STRAIN = 1e-3, 1e-3
 ROCK = material()

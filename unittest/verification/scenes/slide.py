@@ -3,7 +3,11 @@
 2022, Sect. 5.1), against the exact St Venant-Kirchhoff force of uniform compression and
 Betti's theorem."""
 
-from tmsph_testing import *
+from pathlib import Path
+
+import numpy as np
+
+from tmsph_testing import Script
 
 ROOT = Path(__file__).resolve().parents[3]
 EDGE, MODULUS, POISSON, MU = 0.1, 1e7 / (1 - 0.2**2), 0.2, 0.3

@@ -3,7 +3,9 @@
 units of the contact pressure p, root mean squares over volume and over sigma_r and both
 hoop stresses; radii are those of equal volume."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, lattice, material
 
 INCLUSION, RADIUS, TEMPERATURE = 0.020, 0.050, 1.0
 INNER, OUTER = material(40e9, 0.3, 2700, 1.5e-5), material(20e9, 0.2, 2700, 1e-5)

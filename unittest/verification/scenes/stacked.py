@@ -2,7 +2,9 @@
 """Two blocks on top of each other in a box with smooth walls, pressed by 4 %, with contact
 between them, against the force of St Venant-Kirchhoff material in oedometric compression."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Cloud, Scene, lattice, material
 
 EDGE, STRAIN, POISSON = 0.1, 0.04, 0.2
 YOUNG = 10e6

@@ -2,7 +2,9 @@
 """Standing plane waves of small amplitude in periodic blocks, longitudinal (polarization 0)
 and transverse (1)."""
 
-from tmsph_testing import *
+import numpy as np
+
+from tmsph_testing import HORIZON, Scene, lattice, material, sampled_frequency
 
 SPACING, STRAIN = 1e-3, 1e-6
 ROCK = material()
