@@ -1,32 +1,63 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-
-   Conduction of heat: what a step needs, heat content and output. The stepping itself is
-   in fix_tmsph_heat_step.cpp.
 ------------------------------------------------------------------------- */
 
 #include "fix_tmsph_heat.h"
 
 #include "atom.h"
-#include "domain.h"
+#include "comm.h"
 #include "error.h"
-#include "fix_store_atom.h"
-#include "fix_tmsph_bond.h"
-#include "fix_tmsph_heat_boundary.h"
 #include "force.h"
-#include "input.h"
 #include "modify.h"
 #include "pair_tmsph.h"
-#include "tmsph_conduction.h"
+#include "tmsph_heat_boundary.h"
+#include "tmsph_restart.h"
 #include "update.h"
-#include "variable.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+
+// grows when what restart files hold of this fix changes
+
+static constexpr double RESTART_FORMAT = 4.0;
+
+/* ---------------------------------------------------------------------- */
+
+FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair(nullptr), ghosts(lmp, this), materials(lmp), sources(lmp),
+    contacts(lmp), network(lmp, materials, ghosts),
+    flows(lmp, materials, network, contacts, sources, ghosts), ledger(lmp),
+    stepper(lmp, flows, ledger), every(1), time_scale(1.0), viscous(false), told(false)
+{
+  if (!atom->temperature_flag || !atom->vfrac_flag || !atom->rmass_flag)
+    error->all(FLERR, "Fix tmsph/heat needs an atom style with temperature, volume and mass: "
+                      "atom_style tmsph");
+  if (igroup != 0)
+    error->all(FLERR, "Fix tmsph/heat works on all particles: use group all and give each type its "
+                      "conductivity");
+  parse(narg, arg);
+  scalar_flag = vector_flag = 1;
+  size_vector = 8;
+  global_freq = 1;
+  extscalar = 1;
+  extvector = 0;
+  restart_global = restart_peratom = 1;
+  comm_forward = network.faces().layer_size();    // the most columns of all parts
+  maxexchange = network.faces().most();
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+  network.faces().grow(atom->nmax);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixTMSPHHeat::~FixTMSPHHeat()
+{
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+}
 
 /* ---------------------------------------------------------------------- */
 
@@ -39,59 +70,29 @@ int FixTMSPHHeat::setmask()
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHeat::post_constructor()
-{
-  norms_id = std::string(id) + "_TMSPH_NORM";
-  norms = dynamic_cast<FixStoreAtom *>(modify->add_fix(
-      fmt::format("{} all STORE/ATOM {} 0 0 1", norms_id, MULTIPLIER + domain->dimension)));
-}
-
-/* ---------------------------------------------------------------------- */
-
-FixTMSPHHeat::~FixTMSPHHeat()
-{
-  atom->delete_callback(id, Atom::GROW);
-  atom->delete_callback(id, Atom::RESTART);
-  if (modify->nfix && modify->get_fix_by_id(norms_id)) modify->delete_fix(norms_id);
-}
-
-/* ---------------------------------------------------------------------- */
-
 void FixTMSPHHeat::init()
 {
   pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
   if (!pair) error->all(FLERR, "Fix tmsph/heat needs pair style tmsph");
   if (modify->get_fix_by_style("^tmsph/heat$").size() > 1)
     error->all(FLERR, "More than one fix tmsph/heat: give all types in a single one");
-  bonds = pair->bonds();
-  version = -1;
-  if (crosses || friction) pair->heat_crosses_contacts();
-  boundaries.clear();
-  for (Fix *fix : modify->get_fix_by_style("^tmsph/heat/boundary$"))
-    boundaries.push_back(static_cast<FixTMSPHHeatBoundary *>(fix));
-  open_accounts();
-  for (int type = 1; type <= atom->ntypes; type++) {
-    const std::string &name = substances[type].source_variable;
-    if (name.empty()) continue;
-    const int found = input->variable->find(name.c_str());
-    if (found < 0)
-      error->all(FLERR, "Variable {} of fix tmsph/heat source does not exist: define it first",
-                 name);
-    if (!input->variable->equalstyle(found) && !input->variable->atomstyle(found))
-      error->all(FLERR, "Variable {} of fix tmsph/heat source must be of equal or atom style",
-                 name);
-  }
+  network.init(pair->bonds(), pair);
+  contacts.init(pair);
+  std::vector<TMSPHHeatBoundary *> boundaries;
+  for (Fix *fix : modify->get_fix_list())
+    if (auto boundary = dynamic_cast<TMSPHHeatBoundary *>(fix)) boundaries.push_back(boundary);
+  flows.init(boundaries, every);
+  ledger.open(boundaries);
+  sources.check();
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHHeat::setup_pre_force(int /*vflag*/)
 {
-  if ((crosses || friction) && !pair->contact_of_surfaces())
-    error->all(FLERR, "Fix tmsph/heat {} needs to know what touches: add a fix tmsph/contact",
-               crosses ? "contact" : "friction");
-  find_norms();
-  prepare(0.0);
+  contacts.check();
+  network.form();
+  flows.prepare(0.0);
 }
 
 /* ----------------------------------------------------------------------
@@ -101,12 +102,18 @@ void FixTMSPHHeat::setup_pre_force(int /*vflag*/)
 void FixTMSPHHeat::pre_force(int /*vflag*/)
 {
   if (update->ntimestep % every != 0) return;
-  if (friction) collect_friction();
-  const double duration = every * time_scale * update->dt;
-  prepare(duration);
-  std::vector<double> y;
-  attempt(duration, y);
-  commit(duration, y);
+  contacts.collect_friction();
+  stepper.advance(every * time_scale * update->dt);
+}
+
+/* ----------------------------------------------------------------------
+   quasi-static stepping
+------------------------------------------------------------------------- */
+
+int FixTMSPHHeat::advance(int most, double largest_change)
+{
+  contacts.collect_friction();
+  return stepper.advance(most, largest_change, time_scale);
 }
 
 /* ----------------------------------------------------------------------
@@ -120,290 +127,23 @@ void FixTMSPHHeat::end_of_step()
   double *T = atom->temperature, sum = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     const double energy = taken[i] * update->dt;
-    if (held[i] != NOT_HELD) continue;
+    if (flows.is_held(i)) continue;
     sum += energy;
-    T[i] = substances[atom->type[i]].specific_heat.temperature_at(enthalpy(i, T[i]) +
-                                                                  energy / atom->rmass[i]);
+    T[i] = materials.temperature(i, materials.enthalpy(i, T[i]) + energy / atom->rmass[i]);
   }
-  accounts[source_account()].energy += sum;
+  ledger.enter_sources(sum);
   ghosts.send(T, 1, 1);
 }
 
 /* ----------------------------------------------------------------------
-   quasi-static stepping: an attempt that turns out too long is taken back, the
-   next call starts from what went well before
+   heat content
 ------------------------------------------------------------------------- */
-
-int FixTMSPHHeat::advance(int most, double largest_change)
-{
-  const bigint now = update->ntimestep;
-  const double *T = atom->temperature;
-  const std::vector<double> before(T, T + atom->nlocal);
-  const std::vector<Account> accounts_before(accounts);
-  std::vector<double> y;
-  int steps = comfortable > most / 2 ? most : 2 * comfortable;
-  if (friction) collect_friction();
-  for (;;) {
-    const double duration = steps * time_scale * update->dt;
-    update->ntimestep = now + steps;    // for variables
-    prepare(duration);
-    attempt(duration, y);
-    update->ntimestep = now;
-    double mine = 0.0, change;
-    for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, std::fabs(T[i] - before[i]));
-    MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
-    if (steps == 1 || change <= largest_change) {
-      commit(duration, y);
-      break;
-    }
-    std::copy(before.begin(), before.end(), atom->temperature);
-    accounts = accounts_before;
-    steps = std::max(1, (int) (steps * std::max(0.1, 0.9 * largest_change / change)));
-  }
-  comfortable = steps;
-  return steps;
-}
-
-/* ----------------------------------------------------------------------
-   @param y enthalpies of the local particles, then energies of the accounts
-------------------------------------------------------------------------- */
-
-void FixTMSPHHeat::attempt(double duration, std::vector<double> &y)
-{
-  const int nlocal = atom->nlocal;
-  const double *T = atom->temperature;
-  const std::vector<double> before(T, T + nlocal);
-  y.assign(nlocal + accounts.size(), 0.0);
-  for (int i = 0; i < nlocal; i++) y[i] = enthalpy(i, T[i]);
-  step(duration, y);
-  put_temperatures(y);
-  double mine = 0.0, change;
-  for (int i = 0; i < nlocal; i++) {
-    const double d = std::fabs(T[i] - before[i]);
-    if (!(d <= mine)) mine = std::isfinite(d) ? d : HUGE_VAL;
-  }
-  MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (!std::isfinite(change))
-    error->all(FLERR, "A temperature of fix tmsph/heat is no number any more on step {}: check the "
-                      "values given to its boundaries and sources", update->ntimestep);
-  fastest = change / duration;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHHeat::commit(double duration, const std::vector<double> &y)
-{
-  const int nlocal = atom->nlocal;
-  for (size_t n = 0; n < accounts.size(); n++) {
-    accounts[n].energy += y[nlocal + n];
-    accounts[n].power = y[nlocal + n] / duration;
-  }
-  std::copy(power.begin(), power.end(), atom->heatflow);
-  covered += duration;
-  rubbed.clear();
-}
-
-/* ----------------------------------------------------------------------
-   energies that friction took since the last advance
-------------------------------------------------------------------------- */
-
-void FixTMSPHHeat::collect_friction()
-{
-  std::vector<TMSPHSurfaceContact::Rubbing> rubbings;
-  pair->contact_of_surfaces()->rubbings(rubbings);
-  rubbed.clear();
-  for (const auto &r : rubbings) rubbed.push_back({r.i, 0.0, 0.0, r.work});
-}
-
-/* ----------------------------------------------------------------------
-   what acts from outside during an advance
-------------------------------------------------------------------------- */
-
-void FixTMSPHHeat::prepare(double duration)
-{
-  const int nlocal = atom->nlocal;
-  follow();
-  held.assign(nlocal, NOT_HELD);
-  exchanges.clear();
-  first_exchange.assign(1, 0);
-  heats = cools = false;
-  for (size_t b = 0; b < boundaries.size(); b++) {
-    if (boundaries[b]->holds_temperature()) {
-      boundaries[b]->hold_temperature();
-      for (int i = 0; i < nlocal; i++)
-        if (atom->mask[i] & boundaries[b]->groupbit) held[i] = b;
-    } else
-      boundaries[b]->list_exchanges(*this, exchanges);
-    first_exchange.push_back(exchanges.size());
-  }
-  if (duration > 0.0)
-    for (const Exchange &r : rubbed) exchanges.push_back({r.i, 0.0, 0.0, r.power / duration});
-  first_exchange.push_back(exchanges.size());
-  for (const Exchange &e : exchanges) {
-    heats = heats || e.power > 0.0;
-    cools = cools || e.power < 0.0;
-  }
-  evaluate_sources();
-  bridges.clear();
-  if (crosses) find_bridges();
-
-  // Gershgorin: lambda_max <= 2 max (sum of conductances/capacity). Up to 2/lambda_max explicit
-  // Euler takes means of temperatures with positive weights
-
-  std::vector<double> all(sums);
-  for (const Exchange &e : exchanges) all[e.i] += e.conductance;
-  for (const Bridge &b : bridges) all[b.i] += b.conductance;
-  double mine = 0.0, largest;
-  for (int i = 0; i < nlocal; i++) {
-    const double heat = substances[atom->type[i]].specific_heat.smallest();
-    if (held[i] == NOT_HELD) mine = std::max(mine, all[i] / (heat * atom->rmass[i]));
-  }
-  MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
-  stable = largest > 0.0 ? 1.0 / largest : HUGE_VAL;
-
-  if (!rkl2 && duration > stable)
-    error->all(
-        FLERR,
-        "The heat step {:.4g} (timestep x every x time/scale) of fix tmsph/heat is above the "
-        "stable one of explicit stepping, {:.4g}: shorten it, or use 'subcycle rkl2'",
-        duration, stable);
-}
-
-/* ----------------------------------------------------------------------
-   on which variables will be asked again
-------------------------------------------------------------------------- */
-
-bigint FixTMSPHHeat::next_step() const
-{
-  return (update->ntimestep / every + 1) * every;
-}
-
-/* ----------------------------------------------------------------------
-   power per volume
-------------------------------------------------------------------------- */
-
-void FixTMSPHHeat::evaluate_sources()
-{
-  const int nlocal = atom->nlocal;
-  source_of.clear();
-  for (int type = 1; type <= atom->ntypes; type++) {
-    Substance &s = substances[type];
-    std::vector<double> each;
-    if (!s.source_variable.empty()) {
-      const int variable = input->variable->find(s.source_variable.c_str());
-      modify->clearstep_compute();
-      if (input->variable->equalstyle(variable))
-        s.source = input->variable->compute_equal(variable);
-      else {
-        each.resize(nlocal);
-        input->variable->compute_atom(variable, 0, each.data(), 1, 0);
-      }
-      modify->addstep_compute(next_step());
-    }
-    if (each.empty() && s.source == 0.0) continue;
-    source_of.resize(nlocal);
-    for (int i = 0; i < nlocal; i++) {
-      if (atom->type[i] != type || !(atom->mask[i] & groupbit)) continue;
-      source_of[i] = each.empty() ? s.source : each[i];
-      heats = heats || source_of[i] > 0.0;
-      cools = cools || source_of[i] < 0.0;
-    }
-  }
-}
-
-/* ----------------------------------------------------------------------
-   Through pairs that press on each other: the area A = 2 c W D of the surface
-   that is theirs, as for bonds across a plane, and on it in series both half
-   distances and the gap.
-------------------------------------------------------------------------- */
-
-void FixTMSPHHeat::find_bridges()
-{
-  std::vector<TMSPHSurfaceContact::Touch> touches;
-  pair->contact_of_surfaces()->touches(touches);
-  const auto k = [this](int i) {
-    return substances[atom->type[i]].conductivity(atom->temperature[i]);
-  };
-  for (const auto &t : touches) {
-    const double h = gap[atom->type[t.i]][atom->type[t.j]];
-    if (h == 0.0) continue;
-    const double area = (all_norms[t.i] + all_norms[t.j]) * t.weight * t.distance;
-    const double resistance = t.distance / TMSPH::harmonic_mean(k(t.i), k(t.j)) + 1.0 / h;
-    bridges.push_back({t.i, t.j, area / resistance});
-  }
-}
-
-/* ----------------------------------------------------------------------
-   energy per mass
-------------------------------------------------------------------------- */
-
-double FixTMSPHHeat::enthalpy(int i, double temperature) const
-{
-  return substances[atom->type[i]].specific_heat.integral(temperature);
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixTMSPHHeat::content() const
-{
-  double sum = 0.0;
-  for (int i = 0; i < atom->nlocal; i++)
-    sum += atom->rmass[i] * enthalpy(i, atom->temperature[i]);
-  return sum;
-}
-
-/* ----------------------------------------------------------------------
-   A boundary keeps its account from run to run. Those that are gone leave their energy in
-   the sum. A restart file has them in the order of the fixes.
-------------------------------------------------------------------------- */
-
-void FixTMSPHHeat::open_accounts()
-{
-  std::vector<Account> opened(boundaries.size() + 1);
-  const bool restarted = account_ids.empty() && accounts.size() == opened.size();
-  for (size_t a = 0; a + 1 < accounts.size(); a++) {
-    size_t b = restarted ? a : 0;
-    while (!restarted && b < boundaries.size() &&
-           !(boundaries[b]->has_account && boundaries[b]->id == account_ids[a]))
-      b++;
-    if (b < boundaries.size())
-      opened[b] = accounts[a];
-    else
-      former_energy += accounts[a].energy;
-  }
-  if (!accounts.empty()) opened.back() = accounts.back();
-  accounts.swap(opened);
-  account_ids.clear();
-  for (auto boundary : boundaries) {
-    boundary->has_account = true;
-    account_ids.emplace_back(boundary->id);
-  }
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHHeat::bring(const FixTMSPHHeatBoundary *boundary, double energy)
-{
-  const auto found = std::find(boundaries.begin(), boundaries.end(), boundary);
-  if (found != boundaries.end()) accounts[found - boundaries.begin()].energy += energy;
-}
-
-/* ---------------------------------------------------------------------- */
-
-FixTMSPHHeat::Account FixTMSPHHeat::account(const FixTMSPHHeatBoundary *boundary) const
-{
-  const auto found = std::find(boundaries.begin(), boundaries.end(), boundary);
-  return found == boundaries.end() ? Account() : accounts[found - boundaries.begin()];
-}
-
-/* ---------------------------------------------------------------------- */
 
 double FixTMSPHHeat::compute_scalar()
 {
-  double mine = content();
-  double all;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  double mine = materials.content(), sum;
+  MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum;
 }
 
 /* ----------------------------------------------------------------------
@@ -414,14 +154,119 @@ double FixTMSPHHeat::compute_scalar()
 
 double FixTMSPHHeat::compute_vector(int n)
 {
-  if (n == 4) return fastest;
-  if (n == 5) return stable;
-  if (n == 6) return covered;
-  if (n == 7) return applications;
-  double mine = n == 1 ? former_energy : 0.0, all;
-  for (int a = 0; a < (int) accounts.size(); a++)
-    if ((a == source_account()) == (n > 1))
-      mine += n % 2 ? accounts[a].energy : accounts[a].power;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  switch (n) {
+    case 0:
+    case 2:
+      return ledger.total_power(n == 2);
+    case 1:
+    case 3:
+      return ledger.total_energy(n == 3);
+    case 4:
+      return stepper.fastest_rate();
+    case 5:
+      return flows.stable_step();
+    case 6:
+      return stepper.covered();
+    default:
+      return flows.applications();
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHeat::pack_forward_comm(int n, int *list, double *buf, int, int *)
+{
+  return ghosts.pack(n, list, buf);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::unpack_forward_comm(int n, int first, double *buf)
+{
+  ghosts.unpack(n, first, buf);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHeat::pack_exchange(int i, double *buf)
+{
+  return network.faces().pack(i, buf);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHeat::unpack_exchange(int nlocal, double *buf)
+{
+  return network.faces().unpack(nlocal, buf);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHeat::pack_restart(int i, double *buf)
+{
+  buf[0] = size_restart(i);    // LAMMPS wants the length first
+  return 1 + pack_exchange(i, buf + 1);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::unpack_restart(int nlocal, int nth)
+{
+  double *extra = atom->extra[nlocal];
+  for (int i = 0; i < nth; i++) extra += static_cast<int>(*extra);
+  unpack_exchange(nlocal, extra + 1);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHeat::size_restart(int i)
+{
+  return 1 + network.faces().size(i);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHHeat::maxsize_restart()
+{
+  return 1 + maxexchange;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::write_restart(FILE *fp)
+{
+  std::vector<double> list = {RESTART_FORMAT, stepper.covered(), (double) flows.applications(),
+                              stepper.fastest_rate(), (double) stepper.comfortable_steps(),
+                              flows.stable_step()};
+  ledger.append_to(list);
+  network.append_to(list);
+  if (comm->me) return;
+  const int size = list.size() * sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(list.data(), sizeof(double), list.size(), fp);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHHeat::restart(char *buf)
+{
+  static constexpr int OWN = 6;    // numbers before those of ledger and network
+  double own[OWN], ledger_begin[2];
+  memcpy(own, buf, sizeof(double));
+  check_restart_format(error, "fix tmsph/heat", own[0], RESTART_FORMAT);
+  memcpy(own, buf, sizeof(own));
+  stepper.restart(own[1], own[3], (int) own[4]);
+  flows.restart((bigint) own[2], own[5]);
+  buf += sizeof(own);
+  memcpy(ledger_begin, buf, sizeof(ledger_begin));
+  std::vector<double> rest(TMSPHHeatLedger::length(ledger_begin) + network.restart_length());
+  memcpy(rest.data(), buf, rest.size() * sizeof(double));
+  network.take_from(ledger.take_from(rest.data()));
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixTMSPHHeat::memory_usage()
+{
+  return network.bytes() + flows.bytes() + sources.bytes();
 }

@@ -51,9 +51,9 @@ enum { AREA, DEPTH, NORMAL, NCOLUMNS = NORMAL + 3 };
 /* ---------------------------------------------------------------------- */
 
 FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), ghosts(lmp, this), kind(TEMPERATURE), place(UNDECIDED), body(false), value(0.0),
-    coefficient(0.0), absolute_zero(0.0), variable_index(-1), given_area(0.0), one_sided(false),
-    cracks(false), heat(nullptr), store(nullptr), found(false), removals(0)
+    Fix(lmp, narg, arg), ghosts(lmp, this), kind(TEMPERATURE), place(UNDECIDED), body(false),
+    value(0.0), coefficient(0.0), absolute_zero(0.0), variable_index(-1), given_area(0.0),
+    one_sided(false), cracks(false), heat(nullptr), store(nullptr), found(false)
 {
   if (!atom->temperature_flag)
     error->all(FLERR, "Fix tmsph/heat/boundary needs an atom style with temperature: atom_style "
@@ -265,15 +265,16 @@ void FixTMSPHHeatBoundary::evaluate()
 void FixTMSPHHeatBoundary::hold_temperature()
 {
   evaluate();
+  const TMSPHHeatMaterials *properties = heat ? &heat->properties() : nullptr;
   double *T = atom->temperature, brought = 0.0;
   for (int i = 0; i < atom->nlocal + (values.empty() ? atom->nghost : 0); i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double now = values.empty() ? value : values[i];
     if (heat && i < atom->nlocal && now != T[i])
-      brought += atom->rmass[i] * (heat->enthalpy(i, now) - heat->enthalpy(i, T[i]));
+      brought += atom->rmass[i] * (properties->enthalpy(i, now) - properties->enthalpy(i, T[i]));
     T[i] = now;
   }
-  if (heat) heat->bring(this, brought);
+  if (heat) heat->books().enter(this, brought);
   if (!variable.empty() && input->variable->atomstyle(variable_index))
     ghosts.send(atom->temperature, 1, 1);
 }
@@ -320,19 +321,19 @@ void FixTMSPHHeatBoundary::min_pre_force(int vflag)
    sqrt(A_f/d_f) of each.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHHeatBoundary::add(const FixTMSPHHeat::SurfaceShare &share)
+void FixTMSPHHeatBoundary::add(const TMSPHSurfacePiece &piece)
 {
-  double *row = store->astore[share.i], *n = row + NORMAL;
+  double *row = store->astore[piece.i], *n = row + NORMAL;
   const double before = row[AREA] > 0.0 ? row[AREA] / row[DEPTH] : 0.0;
-  const double now = share.area / share.surface.depth;
-  const double side = cosine(n, share.surface.normal) < 0.0 ? -1.0 : 1.0;
+  const double now = piece.area / piece.surface.depth;
+  const double side = cosine(n, piece.surface.normal) < 0.0 ? -1.0 : 1.0;
   double square = 0.0;
   for (int a = 0; a < 3; a++) {
-    n[a] = std::sqrt(before) * n[a] + side * std::sqrt(now) * share.surface.normal[a];
+    n[a] = std::sqrt(before) * n[a] + side * std::sqrt(now) * piece.surface.normal[a];
     square += n[a] * n[a];
   }
   for (int a = 0; a < 3; a++) n[a] /= std::sqrt(square);
-  row[AREA] += share.area;
+  row[AREA] += piece.area;
   row[DEPTH] = row[AREA] / (before + now);
 }
 
@@ -343,11 +344,9 @@ void FixTMSPHHeatBoundary::add(const FixTMSPHHeat::SurfaceShare &share)
 void FixTMSPHHeatBoundary::find_surface()
 {
   const int nlocal = atom->nlocal;
-  const FixTMSPHBond &bonds = *heat->bonds_of_body();
+  const FixTMSPHBond &bonds = heat->body().owner_of_bonds();
   if (!cracks && found) return;
-  int gone = bonds.removals() != removals, any = 1;
-  if (found) MPI_Allreduce(&gone, &any, 1, MPI_INT, MPI_MAX, world);
-  if (!any) return;
+  if (found && !watch.removed_anywhere(bonds)) return;
   if (!found) {    // a restart or an earlier run has it
     double mine = 0.0, all;
     for (int i = 0; i < nlocal; i++) mine += store->astore[i][AREA];
@@ -356,7 +355,7 @@ void FixTMSPHHeatBoundary::find_surface()
     if (found && !cracks) return;
   }
   found = true;
-  removals = bonds.removals();
+  watch.see(bonds);
 
   Region *region = nullptr;
   if (!region_id.empty()) {
@@ -367,20 +366,20 @@ void FixTMSPHHeatBoundary::find_surface()
   }
   for (int i = 0; i < nlocal; i++) std::fill_n(store->astore[i], (int) NCOLUMNS, 0.0);
   double area = 0.0, total;
-  for (FixTMSPHHeat::SurfaceShare share : heat->surface(cracks)) {
-    if (!(atom->mask[share.i] & groupbit)) continue;
-    if (one_sided && cosine(direction, share.surface.normal) < FACING) continue;
+  for (TMSPHSurfacePiece piece : heat->body().surface().pieces(cracks)) {
+    if (!(atom->mask[piece.i] & groupbit)) continue;
+    if (one_sided && cosine(direction, piece.surface.normal) < FACING) continue;
     if (region) {
       TMSPH::Surface exact;
       exact.depth = 2.0 * bonds.reach();
-      take_nearest_surface(*region, bonds, share.i, exact);
+      take_nearest_surface(*region, bonds, piece.i, exact);
       if (exact.exposure == TMSPH::Exposure::GIVEN &&
-          (!share.flat || cosine(exact.normal, share.surface.normal) > SAME_SIDE))
-        share.surface = exact;
+          (!piece.flat || cosine(exact.normal, piece.surface.normal) > SAME_SIDE))
+        piece.surface = exact;
     }
-    share.surface.depth = std::max(share.surface.depth, LEAST_DEPTH * bonds.spacing(share.i));
-    add(share);
-    area += share.area;
+    piece.surface.depth = std::max(piece.surface.depth, LEAST_DEPTH * bonds.spacing(piece.i));
+    add(piece);
+    area += piece.area;
   }
   MPI_Allreduce(&area, &total, 1, MPI_DOUBLE, MPI_SUM, world);
   if (!(total > 0.0) && !cracks)
@@ -394,8 +393,7 @@ void FixTMSPHHeatBoundary::find_surface()
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHeatBoundary::list_exchanges(FixTMSPHHeat &body,
-                                          std::vector<FixTMSPHHeat::Exchange> &list)
+void FixTMSPHHeatBoundary::list_exchanges(std::vector<TMSPHHeatExchange> &list)
 {
   find_surface();
   evaluate();
@@ -407,7 +405,7 @@ void FixTMSPHHeatBoundary::list_exchanges(FixTMSPHHeat &body,
       list.push_back({i, 0.0, 0.0, outside * area});
       continue;
     }
-    const double k = body.conductivity(i, row + NORMAL);
+    const double k = heat->properties().conductivity_of(i, row + NORMAL);
     double film = coefficient;
     if (kind == RADIATION)
       film = TMSPH::radiation_film(coefficient, atom->temperature[i], outside, absolute_zero);
@@ -433,8 +431,8 @@ double FixTMSPHHeatBoundary::compute_vector(int n)
 {
   double mine = 0.0, all;
   if (n < 2) {
-    const FixTMSPHHeat *fix = conduction();    // it may be gone since the last run
-    const FixTMSPHHeat::Account account = fix ? fix->account(this) : FixTMSPHHeat::Account();
+    FixTMSPHHeat *present = conduction();    // it may be gone since the last run
+    const TMSPHHeatAccount account = present ? present->books().account(this) : TMSPHHeatAccount();
     mine = n == 0 ? account.power : account.energy;
   } else
     for (int i = 0; i < atom->nlocal; i++) {

@@ -16,10 +16,14 @@ FixStyle(tmsph/heat/boundary,FixTMSPHHeatBoundary);
 
 #include "fix_tmsph_heat.h"
 #include "tmsph_ghost_rows.h"
+#include "tmsph_heat_boundary.h"
 
 namespace LAMMPS_NS {
 
-class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock, public TMSPHReporter {
+class FixTMSPHHeatBoundary : public Fix,
+                             public TMSPHHeatBoundary,
+                             public TMSPHHeatClock,
+                             public TMSPHReporter {
  public:
   FixTMSPHHeatBoundary(class LAMMPS *, int, char **);
   ~FixTMSPHHeatBoundary() override;
@@ -35,15 +39,12 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock, public TMSPHRepo
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
 
-  /// true if it sets the temperature of its particles themselves
-  bool holds_temperature() const { return body; }
-  /// sets the temperature of local and ghost particles of the group
-  void hold_temperature();
-  /// what the particles at the surface exchange now; appends (collective)
-  void list_exchanges(FixTMSPHHeat &, std::vector<FixTMSPHHeat::Exchange> &);
+  bool holds_temperature() const override { return body; }
+  void hold_temperature() override;
+  void list_exchanges(std::vector<TMSPHHeatExchange> &) override;
+  const Fix &fix() const override { return *this; }
   int reach(int, double) override;
   void tell() override;
-  bool has_account = false;    ///< in the books of fix tmsph/heat
 
  private:
   TMSPHGhostSender ghosts;
@@ -66,14 +67,14 @@ class FixTMSPHHeatBoundary : public Fix, public TMSPHHeatClock, public TMSPHRepo
   class FixStoreAtom *store;     // area, depth, normal of each particle, in the reference positions
   std::string store_id;
   bool found;               // the surface; it is kept, but for cracks
-  int removals;             // of the bonds when it was found
+  TMSPHBondWatch watch;     // of what was gone when it was found
 
   void parse(int, char **);
   void parse_direction(char **);
   FixTMSPHHeat *conduction() const;
   void evaluate();
   void find_surface();
-  void add(const FixTMSPHHeat::SurfaceShare &);
+  void add(const TMSPHSurfacePiece &);
 };
 
 }    // namespace LAMMPS_NS

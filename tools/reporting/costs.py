@@ -45,7 +45,8 @@ COLUMNS = ["body", "feature", "particles", "us", "ratio", "low", "high", "rounds
            "machine"]
 
 # classes of the features, by words of their names; a bare body must not execute any of them
-CLASSES = ("HoekBrown", "Contact", "Wall", "Heat", "Debris", "Crack")
+CLASSES = ("HoekBrown", "Contact", "Wall", "Heat", "Conduct", "FlatFaces", "BodySurface", "Debris",
+           "Crack")
 
 
 def variables(body, feature, bodies):
