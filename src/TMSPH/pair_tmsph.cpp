@@ -186,7 +186,7 @@ template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
   own[WIDTH * entry++] = atom->vfrac[i];
   own[WIDTH * entry++] = averaged(atom->type[i]) ? 0.0 : m.lambda;    // see find_pressures()
   own[WIDTH * entry++] = m.shear;
-  own[WIDTH * entry++] = singular ? 0.0 : hourglass * m.young / bond_fix->body_thickness();
+  own[WIDTH * entry++] = singular ? 0.0 : chosen.hourglass * m.young / bond_fix->body_thickness();
 }
 
 /* ----------------------------------------------------------------------
@@ -282,7 +282,7 @@ template <int D> void PairTMSPH::test_bonds()
 double PairTMSPH::spacing() const
 {
   const int family = bond_fix->family_sizes().second + 1;
-  return cutoff * (domain->dimension == 2 ? std::sqrt(PI / family)
+  return horizon() * (domain->dimension == 2 ? std::sqrt(PI / family)
                                           : std::cbrt(4.0 * PI / (3.0 * family)));
 }
 
@@ -323,17 +323,6 @@ PairTMSPH::Fields PairTMSPH::fields()
   else
     fill(std::integral_constant<int, 3>());
   return {stress.data(), gradient.data()};
-}
-
-/* ----------------------------------------------------------------------
-   plane strain: nu (sxx + syy) - E alpha dT
-------------------------------------------------------------------------- */
-
-double PairTMSPH::stress_zz(int i, double sxx, double syy) const
-{
-  if (plane == Plane::STRESS) return 0.0;
-  const Material &m = materials[atom->type[i]];
-  return m.poisson * (sxx + syy) - m.young * m.expansion * heating(i);
 }
 
 /* ----------------------------------------------------------------------

@@ -19,29 +19,24 @@ PairStyle(tmsph,PairTMSPH);
 #include "pair.h"
 #include "tmsph_box.h"
 #include "tmsph_dilatation.h"
-#include "tmsph_elastic.h"
 #include "tmsph_interface.h"
+#include "tmsph_materials.h"
+#include "tmsph_notes.h"
 #include "tmsph_participants.h"
 #include "tmsph_presses.h"
 
 #include <array>
-#include <cmath>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
 
-class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
+class PairTMSPH : public Pair,
+                  public TMSPHMaterials,
+                  public TMSPHParticipants,
+                  public TMSPHNotes {
  public:
-  struct Material {
-    double density = 0.0, reference_temperature = 0.0, expansion = 0.0;
-    double young = 0.0, poisson = 0.0;
-    double horizon = 0.0;      // 0: that of pair_style
-    TMSPH::Elastic elastic;    // set at init, when dimension and plane state are known
-  };
-
   PairTMSPH(class LAMMPS *);
   ~PairTMSPH() override;
   void compute(int, int) override;
@@ -57,14 +52,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
   void unpack_forward_comm(int, int, double *) override;
   double memory_usage() override;
 
-  TMSPH::Kernel kernel_of_bonds() const override { return kernel; }
-  double horizon() const override { return cutoff; }
-  double horizon(int itype, int jtype) const override
-  {
-    const double one = materials[itype].horizon, other = materials[jtype].horizon;
-    return 0.5 * ((one > 0.0 ? one : cutoff) + (other > 0.0 ? other : cutoff));
-  }
-  bool bonded(int itype, int jtype) const override { return are_bonded[itype][jtype]; }
   bool touching(int itype, int jtype) const override
   {
     return contact && contact->touching(itype, jtype);
@@ -75,28 +62,8 @@ class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
   void run_begins() override;
   void run_ends() override;
 
-  const Material &material(int type) const { return materials[type]; }
-  /// of longitudinal waves inside a solid
-  static double wave_speed(const Material &m)
-  {
-    return std::sqrt(m.elastic.wave_modulus / m.density);
-  }
   /// number of stress components per particle in fields(): xx yy xy, or xx yy zz xy xz yz
   int stress_size() const;
-  /// constants of a local or ghost particle: whoever computes with a particle asks here
-  const TMSPH::Elastic &elastic(int i) const { return materials[atom->type[i]].elastic; }
-  /// temperature above that without thermal strain
-  double heating(int i) const
-  {
-    return atom->temperature[i] - materials[atom->type[i]].reference_temperature;
-  }
-  double thermal_strain(int i) const { return elastic(i).expansion * heating(i); }
-  /// stress along a surface/stress across it where the material cannot stretch along it
-  double lateral_ratio(int i) const
-  {
-    const TMSPH::Elastic &m = elastic(i);
-    return m.lambda / (m.lambda + 2.0 * m.shear);
-  }
   /// F - I of the local particles in the last force evaluation, [nlocal][dimension*dimension];
   /// only with a contact set
   const double *step_gradient() const { return gradient.data(); }
@@ -111,13 +78,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
   /// mean distance of the particles of a type to their nearest bonded partners, as reported last;
   /// 0 if there are none
   double spacing_of(int type) const { return present[type].spacing; }
-  /// false if the waves in this type are too slow or too fast for any solid
-  bool plausible(int type) const;
-  /// a warning that is given once, however many runs there are
-  void warn_once(const std::string &text);
-  /// true if no style has told this text yet
-  bool news(const std::string &text) { return told.insert(text).second; }
-  bool warned() const { return !warnings.empty(); }
   FixTMSPHBond *bonds() const { return bond_fix; }
   TMSPHBox &box() { return the_box; }
   /** For outputs, also between runs, when much may have changed (collective).
@@ -135,22 +95,12 @@ class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
   Fields fields();
   /// small-strain share of the strain energy that bond k of local particle i carries at a stress
   double bond_energy(int i, int k, const double *stress) const;
-  /// out-of-plane Cauchy stress from the in-plane ones: zero in plane stress
-  double stress_zz(int i, double sxx, double syy) const;
   /// largest stable time step of the present state, by power iteration (collective)
   double stable_timestep();
 
  private:
-  double cutoff;
-  TMSPH::Kernel kernel;
-  TMSPH::Plane plane;
   TMSPH::Features on;
-  TMSPH::ThermalStrain thermal_mode;    // as asked for; "on" has what the scene needs
   TMSPH::Viscosity viscosity;
-  double hourglass;
-  TMSPH::Dilatation dilatation;
-  std::vector<Material> materials;                // by type
-  std::vector<std::vector<char>> are_bonded;      // by type and type
   FixTMSPHBond *bond_fix;
   int coefficients;                               // grows with pair_style and pair_coeff
 
@@ -167,7 +117,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
     double spacing = 0.0, cell = 0.0;             // means of nearest distances, of d-th powers
   };
   std::vector<Present> present;                   // [type]
-  std::set<std::string> warnings, told;           // that were given
 
   bool stepped;                                   // the rows hold the velocities of a step or setup
   bool box_moves;                                 // and those of ghosts need the rate of the box
@@ -233,7 +182,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
   enum { FORCE_ROWS, STRESS, DISPLACEMENT, AVERAGE, COUPLING, PRESSES } what_to_send;
 
   void allocate();
-  void complete_particles();
   TMSPH::Slices &slices();
   template <int D> void prepare();
   template <int D> void build_own_side();
@@ -266,7 +214,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
   template <int D> void add_pressures();
   template <int D> void add_pressure_to_stress(int i, const double *H);
   double dilatation_energy(int i) const;
-  bool same_material(int itype, int jtype) const;
   bool coupled(int itype, int jtype) const;
   template <int D> void lay_out_coupling();
   template <int D> void update_crossing(Crossing &);
@@ -280,12 +227,6 @@ class PairTMSPH : public Pair, public TMSPHBondUser, public TMSPHParticipants {
   template <int D> void complete_rows();
   template <int D>
   void bond_forces(const TMSPH::Viscosity &, double *f, int stride);
-  /// E a, what a particle puts into the mean that makes the thermal strain of a bond
-  double thermal_push(int i) const
-  {
-    const TMSPH::Elastic &m = elastic(i);
-    return m.young * m.expansion * heating(i);
-  }
   void stop_inverted(int);
   void stop_thermal();
   template <int D> double stable_timestep_in();

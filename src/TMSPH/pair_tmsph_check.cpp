@@ -23,12 +23,6 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// longitudinal waves in m/s: diamond has 18e3 (CRC Handbook of Chemistry and Physics, Speed of
-// sound in various media), light silica aerogels have 100 (Gross, Fricke, J. Non-Cryst. Solids 145
-// (1992) 217)
-
-static constexpr double SLOWEST = 50.0, FASTEST = 20.0e3;
-
 // the linear expansion of solids is between -1e-5 and 3e-4 per degree (polymers; CRC Handbook)
 
 static constexpr double MOST_EXPANSION = 1.0e-3;
@@ -43,22 +37,6 @@ static constexpr double USUAL_HORIZON = 3.015;
 
 static constexpr double POSITION_LOSS = 1.0e-6;
 
-/* ---------------------------------------------------------------------- */
-
-void PairTMSPH::warn_once(const std::string &text)
-{
-  if (warnings.insert(text).second && comm->me == 0) error->warning(FLERR, "{}", text);
-}
-
-/* ---------------------------------------------------------------------- */
-
-bool PairTMSPH::plausible(int type) const
-{
-  const UnitNames unit(update->unit_style);
-  const double speed = unit.meters_per_second * wave_speed(materials[type]);
-  return unit.meters_per_second == 0.0 || (speed > SLOWEST && speed < FASTEST);
-}
-
 /* ----------------------------------------------------------------------
    @return what is wrong with the first type whose numbers are those of no solid
 ------------------------------------------------------------------------- */
@@ -67,7 +45,7 @@ std::string PairTMSPH::doubtful_material() const
 {
   const UnitNames unit(update->unit_style);
   for (int type = 1; type <= atom->ntypes; type++) {
-    const Material &m = materials[type];
+    const Material &m = material(type);
     if (!plausible(type))
       return fmt::format("No solid has waves of {:.3g} {} as type {}: give its Young's modulus, "
                          "{}, in {}, and its density, {}, in {}",
@@ -105,11 +83,11 @@ void PairTMSPH::check_reach() const
     part *= sizes[k];
     spacing = std::max(spacing, std::pow(part, 1.0 / (1 + k)));
   }
-  if (spacing > 0.0 && cutoff > ABSURD_HORIZON * spacing)
+  if (spacing > 0.0 && horizon() > ABSURD_HORIZON * spacing)
     error->all(FLERR,
                "The horizon {} of pair_style tmsph is {:.3g} particle spacings: give it as a "
                "length, {} spacings are {:.3g}",
-               cutoff, cutoff / spacing, USUAL_HORIZON, USUAL_HORIZON * spacing);
+               horizon(), horizon() / spacing, USUAL_HORIZON, USUAL_HORIZON * spacing);
 }
 
 /* ---------------------------------------------------------------------- */

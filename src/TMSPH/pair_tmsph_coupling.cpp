@@ -21,23 +21,11 @@ using namespace TMSPH;
 
 static constexpr double LEAST_DEPTH = 0.05;
 
-/* ----------------------------------------------------------------------
-   types with the same constants are one material here
-------------------------------------------------------------------------- */
-
-bool PairTMSPH::same_material(int itype, int jtype) const
-{
-  const Material &one = materials[itype], &other = materials[jtype];
-  return one.young == other.young && one.poisson == other.poisson &&
-      one.expansion == other.expansion &&
-      one.reference_temperature == other.reference_temperature;
-}
-
 /* ---------------------------------------------------------------------- */
 
 bool PairTMSPH::coupled(int itype, int jtype) const
 {
-  return !same_material(itype, jtype) && are_bonded[itype][jtype] &&
+  return !same_material(itype, jtype) && bonded(itype, jtype) &&
       (averaged(itype) || averaged(jtype));
 }
 
@@ -70,9 +58,9 @@ template <int D> void PairTMSPH::lay_out_coupling()
 template <int D> void PairTMSPH::update_crossing(Crossing &one)
 {
   const int i = one.i, type = atom->type[i];
-  double own = bond_fix->kernel_mass(i, i, cutoff), all = own;
+  double own = bond_fix->kernel_mass(i, i, horizon()), all = own;
   for (const auto &bond : bond_fix->family(i, FixTMSPHBond::WHOLE)) {
-    const double mass = bond_fix->kernel_mass(i, bond.j, cutoff);
+    const double mass = bond_fix->kernel_mass(i, bond.j, horizon());
     const bool same = same_material(type, atom->type[bond.j]);
     if (same) own += mass;
     if (same || coupled(type, atom->type[bond.j])) all += mass;
@@ -81,7 +69,7 @@ template <int D> void PairTMSPH::update_crossing(Crossing &one)
   for (auto &bond : one.bonds)
     bond.stiffness = bond_fix->bond_state(i, bond.k) != FixTMSPHBond::INTACT
         ? 0.0
-        : coupling_stiffness(materials[type].young, materials[atom->type[bond.j]].young) *
+        : coupling_stiffness(material(type).young, material(atom->type[bond.j]).young) *
             (double) bond_fix->weight(i, bond.j) / bond_fix->body_thickness();
 }
 

@@ -30,10 +30,10 @@ static constexpr double MAX_PLAIN = 0.45, MAX_AVERAGED = 0.4999, MAX_COUPLED = 0
 
 bool PairTMSPH::averaged(int type) const
 {
-  if (dilatation == Dilatation::PLAIN || plane == Plane::STRESS ||
+  if (chosen.dilatation == Dilatation::PLAIN || chosen.plane == Plane::STRESS ||
       !std::holds_alternative<StVenantKirchhoff>(on.law))
     return false;
-  return dilatation == Dilatation::AVERAGED || materials[type].poisson > AVERAGED_ABOVE;
+  return chosen.dilatation == Dilatation::AVERAGED || material(type).poisson > AVERAGED_ABOVE;
 }
 
 /* ----------------------------------------------------------------------
@@ -45,11 +45,11 @@ void PairTMSPH::init_dilatation()
   averaging = coupling = false;
   const int n = atom->ntypes;
   for (int i = 1; i <= n; i++) {
-    const double nu = materials[i].poisson;
+    const double nu = material(i).poisson;
     bool beside_another = false;
     for (int j = 1; j <= n; j++) beside_another = beside_another || coupled(i, j);
     if (!averaged(i)) {
-      if (nu > MAX_PLAIN && plane == Plane::STRAIN)
+      if (nu > MAX_PLAIN && chosen.plane == Plane::STRAIN)
         error->all(FLERR,
                    "Poisson's ratio {} of type {} is above {}: its stresses lock unless pair_style "
                    "tmsph has 'dilatation auto' or 'averaged', and 'law svk'",
@@ -69,7 +69,7 @@ void PairTMSPH::init_dilatation()
     averaging = true;
     coupling = coupling || beside_another;
   }
-  if (coupling) interface_depth = InterfaceDepth(kernel, domain->dimension, cutoff);
+  if (coupling) interface_depth = InterfaceDepth(chosen.kernel, domain->dimension, horizon());
 }
 
 /* ----------------------------------------------------------------------
@@ -92,7 +92,7 @@ void PairTMSPH::lay_out_averaging()
       for (const auto &bond : bond_fix->family(i, FixTMSPHBond::WHOLE))
         if (same_material(atom->type[i], atom->type[bond.j]))
           all.averaging[all.at(q, l, bond.k)] =
-              (float) (atom->vfrac[i] / kappa * bond_fix->kernel_mass(i, bond.j, cutoff));
+              (float) (atom->vfrac[i] / kappa * bond_fix->kernel_mass(i, bond.j, horizon()));
     }
 }
 

@@ -124,7 +124,7 @@ bool PairTMSPH::measure()
   std::vector<Present> types(ntypes + 1);
   bool same = (int) present.size() == ntypes + 1;
   for (int type = 1; type <= ntypes; type++) {
-    const Material &m = materials[type];
+    const Material &m = material(type);
     types[type].particles = count[type];
     types[type].material = {m.young, m.poisson, m.density, m.expansion, horizon(type, type)};
     same = same && types[type].particles == present[type].particles &&
@@ -166,7 +166,7 @@ void PairTMSPH::tell_materials()
                    heading("wave_speed", unit.speed)});
   double volume = 0.0;
   for (int type = 1; type <= atom->ntypes; type++) {
-    const Material &m = materials[type];
+    const Material &m = material(type);
     const Present &t = present[type];
     volume += t.volume;
     const bool known = t.spacing > 0.0;

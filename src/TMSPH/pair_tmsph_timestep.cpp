@@ -73,9 +73,9 @@ template <int D> double PairTMSPH::stable_timestep_in()
   for (size_t i = 0; i < velocities.size() / D; i++)
     std::copy_n(force_row.data() + i * R::FORCE + R::V, D, velocities.data() + D * i);
   box_moves = false;
-  const double step = 1.0e-6 * cutoff;
-  const Material &first = materials[1];
-  double dt = cutoff / std::sqrt(first.elastic.wave_modulus / first.density);    // to begin with
+  const double step = 1.0e-6 * horizon();
+  const Material &first = material(1);
+  double dt = horizon() / std::sqrt(first.elastic.wave_modulus / first.density);    // to begin with
   Viscosity linear = viscosity;
   linear.alpha2 = 0.0;
 
