@@ -146,9 +146,9 @@ ComputeTMSPHPropertyAtom::Column ComputeTMSPHPropertyAtom::column(const std::str
 
 void ComputeTMSPHPropertyAtom::evaluate_fields()
 {
-  const PairTMSPH::Fields fields = pair->fields();
+  const TMSPHFields fields = pair->fields();
   gradient = fields.gradient;
-  const int n = atom->nlocal, size = pair->stress_size();
+  const int n = atom->nlocal, size = TMSPH::stress_row(domain->dimension);
   full_stress.resize(6 * (size_t) n);
   principal.resize(3 * (size_t) n);
   for (int i = 0; i < n; i++) {

@@ -182,7 +182,8 @@ bool FixTMSPHBreak::may_fail(int i, const double *stress) const
 
 void FixTMSPHBreak::find_due(const double *stress)
 {
-  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost, size = pair->stress_size();
+  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
+  const int size = TMSPH::stress_row(domain->dimension);
   const int *type = atom->type;
   const auto row = [&](int i) { return stress + (size_t) i * size; };
   const bool ranked = relative > 0.0;    // all load factors are wanted
@@ -288,6 +289,29 @@ double FixTMSPHBreak::tensile_strength(int type) const
 }
 
 /* ----------------------------------------------------------------------
+   small-strain part of the strain energy that bond k of local particle i carries at a stress:
+   under uniform stress in the interior f_ij = 2 W_ij/kappa sigma X_ij, and half of f u' is
+   the energy; summed over all bonds this is the strain energy of the body
+------------------------------------------------------------------------- */
+
+static double bond_energy(const TMSPHMaterials &materials, const FixTMSPHBond &bonds,
+                          const Atom &atom, int D, int i, int k, const double *stress)
+{
+  const int j = bonds.partner_index(i, k);
+  double X[3], work = 0.0;
+  bonds.reference_vector(i, j, X);
+  const int row[3][3] = {{0, D, D + 1}, {D, 1, D + 2}, {D + 1, D + 2, 2}};
+  const double young = materials.elastic(i).young + materials.elastic(j).young;
+  const double theta = (materials.thermal_push(i) + materials.thermal_push(j)) / young;
+  for (int a = 0; a < D; a++) {
+    const double u = (atom.x[j][a] - bonds.reference(j)[a]) -
+        (atom.x[i][a] - bonds.reference(i)[a]) - theta * X[a];
+    for (int b = 0; b < D; b++) work += u * stress[row[a][b]] * X[b];
+  }
+  return bonds.weight(i, j) * work / bonds.interior_kappa();
+}
+
+/* ----------------------------------------------------------------------
    one row of the local table; a bond is recorded where its lower id lives
 ------------------------------------------------------------------------- */
 
@@ -310,7 +334,7 @@ void FixTMSPHBreak::record(const Due &bond)
   for (int a = 0; a < 3; a++) *c++ = 0.5 * (atom->x[i][a] + atom->x[j][a]);
   for (int a = 0; a < 3; a++) *c++ = X[a] / R;
   *c++ = mode + 1;
-  *c++ = pair->bond_energy(i, bond.k, bond.stress);
+  *c++ = bond_energy(*pair, *bonds, *atom, domain->dimension, i, bond.k, bond.stress);
   *c++ = 0.5 * (atom->temperature[i] + atom->temperature[j]);
   events.push_back(event);
 }
@@ -393,9 +417,10 @@ double FixTMSPHBreak::largest_load()
   PairTMSPH::laid_out(lmp, fmt::format("Output 4 of fix {} {}", style, id));
   find_strengths();
   const double *stress = pair->fields().stress;
+  const int size = TMSPH::stress_row(domain->dimension);
   double mine = 0.0, all;
   for (int i = 0; i < atom->nlocal; i++) {
-    const Principals p = principals_of(i, stress + (size_t) i * pair->stress_size());
+    const Principals p = principals_of(i, stress + (size_t) i * size);
     const int type = atom->type[i];
     mine = std::max(mine, criterion->load_factor(type, type, p, strengths[i]));
   }

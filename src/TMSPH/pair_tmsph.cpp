@@ -9,23 +9,14 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "fix_tmsph_bond.h"
 #include "tmsph_pi.h"
-#include "update.h"
+#include "tmsph_stop.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
-
-// A shape matrix whose smallest eigenvalue is a smaller part than this of those in the interior of
-// the intact body cannot tell strains apart. Bonds add positive semidefinite terms, so that this
-// eigenvalue only falls as they break: a particle that has lost its stress never gets it back in a
-// state that it reached without. By its own largest eigenvalue it would, when a heavy bond goes.
-
-static constexpr double SINGULAR = 0.02;
 
 /* ---------------------------------------------------------------------- */
 
@@ -39,89 +30,51 @@ void PairTMSPH::compute(int eflag, int vflag)
 }
 
 /* ----------------------------------------------------------------------
-   one force evaluation; with a break test, bonds break between the sweeps
+   one force evaluation
 ------------------------------------------------------------------------- */
 
 template <int D> void PairTMSPH::evaluate()
 {
-  const int nlocal = atom->nlocal;
-  if (prepared_version != bond_fix->layout_version()) prepare<D>();
+  if (prepared.laid_out_anew(*bond_fix)) prepare<D>();
+
+  // where the particles are
+
   the_box.meet_forces();
-  update_kinematics<D>();
-  if (on.viscosity) update_velocities<D>();
+  find_displacements<D>();
+  if (on.viscosity) rows.take_velocities<D>(*bond_fix);
+
+  // strains and stresses of particles
 
   const bool testing = break_test && break_test->due();
-  if (testing) stress.resize((size_t) STRESS_ROW<D> * (nlocal + atom->nghost));
   int inverted = -1;
   GradientOutput out;
-  out.force_row = force_row.data();
+  out.force_row = rows.force();
   out.inverted = &inverted;
+  out.inverted_breaks = testing;
   if (testing) {
+    stress.resize((size_t) STRESS_ROW<D> * (atom->nlocal + atom->nghost));
     out.stress = stress.data();
-    out.inverted_breaks = true;
   }
-  if (contact || averaging) {
-    gradient.resize((size_t) D * D * nlocal);
-    out.gradient = gradient.data();
-  }
-  gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
-  if (inverted >= 0) stop_inverted(inverted);
-  if (averaging) find_pressures<D>();
-  if (testing) test_bonds<D>();
-  if (averaging) complete_rows<D>();
-  send(FORCE_ROWS);
+  find_gradients<D>(out, contact || averaging.on());
+  if (inverted >= 0) stop_inverted(lmp, *bond_fix, inverted);
 
-  bond_forces<D>(viscosity, atom->f[0], 3);
-  if (vflag_either) {
-    if (vflag_atom) rows.assign(6 * (size_t) nlocal, 0.0);
-    double *const each = vflag_atom ? rows.data() : nullptr;
-    double *const total = vflag_global ? virial : nullptr;
-    virial_sweep<D>(on, slices(), viscosity, kinematic.data(), force_row.data(), each, total);
-    if (coupling) add_coupling_virial<D>(each, total);
-    if (vflag_atom)
-      for (int i = 0; i < nlocal; i++)
-        for (int k = 0; k < 6; k++) vatom[i][k] += rows[6 * (size_t) i + k];
-  }
+  // breaking
+
+  if (testing) test_bonds<D>();
+
+  // forces of bonds, from the rows of both ends
+
+  complete_rows<D>();
+  find_forces<D>(viscosity, atom->f[0], 3);
+  if (vflag_either) add_virial<D>();
+
+  // forces of debris, energies
+
   if (break_test) {
     const double repulsion = break_test->repel(vflag_global ? virial : nullptr);
     if (eflag_global) eng_vdwl += repulsion;
   }
-
-  if (eflag_either) {
-    if (eflag_atom) rows.resize(nlocal);
-    double energy =
-        energy_sweep<D>(on, slices(), kinematic.data(), eflag_atom ? rows.data() : nullptr);
-    for (int i = 0; averaging && i < nlocal; i++) {
-      energy += dilatation_energy(i);
-      if (eflag_atom) rows[i] += dilatation_energy(i);
-    }
-    for (const auto &one : crossing) {
-      energy += one.energy;
-      if (eflag_atom) rows[one.i] += one.energy;
-    }
-    if (eflag_global) eng_vdwl += energy;
-    if (eflag_atom)
-      for (int i = 0; i < nlocal; i++) eatom[i] += rows[i];
-  }
-}
-
-/* ----------------------------------------------------------------------
-   what averaging adds to the force rows
-------------------------------------------------------------------------- */
-
-template <int D> void PairTMSPH::complete_rows()
-{
-  add_pressures<D>();
-  if (coupling) couple_materials<D>();
-}
-
-/* ---------------------------------------------------------------------- */
-
-template <int D> void PairTMSPH::bond_forces(const Viscosity &viscous, double *f, int stride)
-{
-  force_sweep<D>(on, slices(), viscous, kinematic.data(), force_row.data(), f, stride);
-  for (const auto &one : crossing)
-    for (int k = 0; k < D; k++) f[(size_t) stride * one.i + k] += one.force[k];
+  if (eflag_either) add_energy<D>();
 }
 
 /* ----------------------------------------------------------------------
@@ -130,148 +83,168 @@ template <int D> void PairTMSPH::bond_forces(const Viscosity &viscous, double *f
 
 template <int D> void PairTMSPH::prepare()
 {
-  using R = Rows<D>;
-  const int nall = atom->nlocal + atom->nghost;
-  kinematic.assign((size_t) nall * R::KINEMATIC, 0.0);
-  force_row.assign((size_t) nall * R::FORCE, 0.0);
-  for (int i = 0; i < nall; i++) {
-    const double density = atom->rmass[i] / atom->vfrac[i];
-    double *row = kinematic.data() + (size_t) i * R::KINEMATIC;
-    for (int k = 0; k < D; k++) row[R::X + k] = bond_fix->reference(i)[k];
-    row[R::YOUNG] = elastic(i).young;
-    double *end = D == 2 ? row : force_row.data() + (size_t) i * R::FORCE;
-    end[R::SPEED] = std::sqrt(elastic(i).wave_modulus / density);
-    end[R::DENSITY] = density;
-  }
-  lay_out_coupling<D>();
-  build_own_side<D>();
-  Slices &all = slices();
+  rows.lay_out<D>(*this, *bond_fix);
+  coupling.lay_out(*bond_fix);
+  const double kappa = bond_fix->interior_kappa();
+  Slices &all = bond_fix->layout();
   all.own.resize((size_t) all.count() * CONSTANTS<D> * WIDTH);
   for (int q = 0; q < all.count(); q++)
-    for (int l = 0; l < WIDTH; l++) update_shape<D>(all, q, l);
-  lay_out_averaging();
-  viscosity.kappa = bond_fix->interior_kappa();
-  prepared_version = bond_fix->layout_version();
+    for (int l = 0; l < WIDTH; l++)
+      update_shape<D>(all, q, l, rows.kinematic(), kappa, constants(all.particle[q * WIDTH + l]));
+  own_side.lay_out<D>(*bond_fix, *atom, rows.kinematic());
+  averaging.lay_out(*bond_fix);
+  viscosity.kappa = kappa;
+  prepared.see(*bond_fix);
 }
 
 /* ----------------------------------------------------------------------
-   constants of the particle in lane l of slice q from its remaining bonds:
-   Kbar^-1 V lambda mu chi; Kbar^-1 and chi are 0 where Kbar is singular
+   of a local particle; where dilatations are averaged, lambda acts on the mean
 ------------------------------------------------------------------------- */
 
-template <int D> void PairTMSPH::update_shape(Slices &bonds, int q, int l)
+ParticleConstants PairTMSPH::constants(int i) const
 {
-  using R = Rows<D>;
-  const int i = bonds.particle[q * WIDTH + l];
-  const double *mine = kinematic.data() + (size_t) i * R::KINEMATIC + R::X;
-  Eigen::Matrix<double, D, D> K = Eigen::Matrix<double, D, D>::Zero();
-  for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
-    const size_t at = (size_t) b * WIDTH + l;
-    const double *his = kinematic.data() + (size_t) bonds.partner[at] * R::KINEMATIC + R::X;
-    Eigen::Matrix<double, D, 1> X;
-    for (int k = 0; k < D; k++) X[k] = his[k] - mine[k];
-    K += (double) bonds.weight[at] * X * X.transpose();
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen;
-  eigen.computeDirect(K, Eigen::EigenvaluesOnly);
-  const auto &value = eigen.eigenvalues();
-  const bool singular = !(value[0] > SINGULAR * atom->vfrac[i] * bond_fix->interior_kappa());
   const Elastic &m = elastic(i);
-  double *own = bonds.own.data() + (size_t) q * CONSTANTS<D> * WIDTH + l;
-  Eigen::Matrix<double, D, D> inverse = Eigen::Matrix<double, D, D>::Zero();
-  if (!singular) inverse = K.inverse();
-  int entry = 0;
-  for (int a = 0; a < D; a++)
-    for (int b = a; b < D; b++) own[WIDTH * entry++] = inverse(a, b);
-  own[WIDTH * entry++] = atom->vfrac[i];
-  own[WIDTH * entry++] = averaged(atom->type[i]) ? 0.0 : m.lambda;    // see find_pressures()
-  own[WIDTH * entry++] = m.shear;
-  own[WIDTH * entry++] = singular ? 0.0 : chosen.hourglass * m.young / bond_fix->body_thickness();
+  return {atom->vfrac[i], averaging.averages(atom->type[i]) ? 0.0 : m.lambda, m.shear,
+          chosen.hourglass * m.young / bond_fix->body_thickness()};
 }
 
 /* ----------------------------------------------------------------------
-   displacements, and thermal strains where there are any, of all particles
+   and thermal strains where there are any, of all particles
 ------------------------------------------------------------------------- */
 
-template <int D> void PairTMSPH::update_kinematics()
+template <int D> void PairTMSPH::find_displacements()
 {
-  using R = Rows<D>;
-  double **x = atom->x;
-  const int nall = atom->nlocal + atom->nghost;
-  for (int i = 0; i < nall; i++) {
-    double *row = kinematic.data() + (size_t) i * R::KINEMATIC;
-    for (int k = 0; k < D; k++) row[R::U + k] = x[i][k] - row[R::X + k];
-  }
-  if (on.thermal == ThermalStrain::NONE) return;
-  bool possible = true;
-  for (int i = 0; i < nall; i++) {
-    const double push = thermal_push(i);
-    kinematic[(size_t) i * R::KINEMATIC + R::THERMAL] = push;
-    possible &= push > -elastic(i).young;    // false for NaN
-  }
-  if (!possible) stop_thermal();
-}
-
-/* ---------------------------------------------------------------------- */
-
-template <int D> void PairTMSPH::update_velocities()
-{
-  using R = Rows<D>;
-  static constexpr double REST[3] = {0.0, 0.0, 0.0};
-  const bool minimizing = update->whichflag == 2;    // looks for equilibrium: nothing moves
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double *v = minimizing ? REST
-        : update->setupflag      ? bond_fix->setup_velocity(i)
-                                 : atom->v[i];
-    std::copy_n(v, D, force_row.data() + (size_t) i * R::FORCE + R::V);
-  }
-  stepped = !minimizing;
-  box_moves = stepped && the_box.carries_velocities();
-}
-
-/* ---------------------------------------------------------------------- */
-
-const double *PairTMSPH::step_velocity(int i) const
-{
-  if (!stepped) return nullptr;
-  return force_row.data() + (domain->dimension == 2 ? (size_t) i * Rows<2>::FORCE + Rows<2>::V
-                                                    : (size_t) i * Rows<3>::FORCE + Rows<3>::V);
+  if (!rows.move<D>(*this, expands())) stop_thermal(lmp, *this);
 }
 
 /* ----------------------------------------------------------------------
-   all bonds are tested on the same stresses and break together; then the
-   particles that lost one get new shape matrices, gradients and stresses
+   the gradient sweep, and the pressures that follow from the gradients
+   @param keep with gradients of the local particles as output
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::find_gradients(GradientOutput out, bool keep)
+{
+  if (keep) {
+    gradient.resize((size_t) D * D * atom->nlocal);
+    out.gradient = gradient.data();
+  }
+  const Slices &all = bond_fix->layout();
+  gradient_sweep<D>(on, all, 0, all.count(), rows.kinematic(), out);
+  if (averaging.on()) averaging.find_pressures<D>(*bond_fix, on.thermal, gradient.data());
+}
+
+/* ----------------------------------------------------------------------
+   own-side stresses of the local particles, from those over all bonds
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::find_stresses(bool inverted_breaks)
+{
+  GradientOutput out;
+  out.stress = stress.data();
+  out.inverted_breaks = inverted_breaks;
+  std::vector<double> own_gradient;
+  if (averaging.on()) {
+    own_gradient = gradient;
+    out.gradient = own_gradient.data();
+  }
+  own_side.find_stress<D>(on, rows.kinematic(), out);
+  if (averaging.on())
+    averaging.add_to_stress<D>(on.thermal, own_gradient.data(), stress.data());
+  pressed.add_stress(*bond_fix, stress.data());
+}
+
+/* ----------------------------------------------------------------------
+   all bonds are tested on the same stresses and break together
 ------------------------------------------------------------------------- */
 
 template <int D> void PairTMSPH::test_bonds()
 {
-  own_side_stress<D>(true);
-  add_surface_stress();
-  send(STRESS);
-  touched.clear();
+  find_stresses<D>(true);
+  ghosts.send(stress.data(), STRESS_ROW<D>, STRESS_ROW<D>);
+  std::vector<int> touched;
   break_test->break_bonds(stress.data(), touched);
   int broke = !touched.empty(), broke_anywhere = broke;
-  if (averaging) MPI_Allreduce(&broke, &broke_anywhere, 1, MPI_INT, MPI_MAX, world);
+  if (averaging.on()) MPI_Allreduce(&broke, &broke_anywhere, 1, MPI_INT, MPI_MAX, world);
   if (!broke_anywhere) return;
   std::sort(touched.begin(), touched.end());
-  drop_near(touched);
-  GradientOutput out;
-  out.force_row = force_row.data();
-  if (contact || averaging) out.gradient = gradient.data();
-  int last_slice = -1;
+  follow<D>(touched);
+}
+
+/* ----------------------------------------------------------------------
+   particles that lost a bond get new shape matrices, gradients and stresses
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
+{
+  Slices &all = bond_fix->layout();
   for (int i : touched) {
-    update_shape<D>(slices(), i / WIDTH, i % WIDTH);
-    if (own_side_lane[i] >= 0) fill_own_side<D>(i);
+    update_shape<D>(all, i / WIDTH, i % WIDTH, rows.kinematic(), bond_fix->interior_kappa(),
+                    constants(i));
+    own_side.follow<D>(i, *bond_fix, *atom, rows.kinematic());
     bond_fix->update_damage(i);
   }
+  GradientOutput out;
+  out.force_row = rows.force();
+  if (contact || averaging.on()) out.gradient = gradient.data();
+  int last_slice = -1;
   for (int i : touched) {
     const int q = i / WIDTH;
-    if (q != last_slice) gradient_sweep<D>(on, slices(), q, q + 1, kinematic.data(), out);
+    if (q != last_slice) gradient_sweep<D>(on, all, q, q + 1, rows.kinematic(), out);
     last_slice = q;
   }
-  for (auto &one : crossing)
-    if (std::binary_search(touched.begin(), touched.end(), one.i)) update_crossing<D>(one);
-  if (averaging) find_pressures<D>();
+  pressed.follow(*bond_fix, touched);
+  coupling.follow(*bond_fix, touched);
+  if (averaging.on()) averaging.find_pressures<D>(*bond_fix, on.thermal, gradient.data());
+}
+
+/* ----------------------------------------------------------------------
+   what averaging adds to the force rows; ghosts get them
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::complete_rows()
+{
+  if (averaging.on())
+    averaging.add_to_forces<D>(*bond_fix, gradient.data(), rows.force());
+  if (coupling.on())
+    coupling.find_forces<D>(*bond_fix, on.thermal, rows.kinematic(), gradient.data(),
+                            rows.force());
+  rows.send_forces<D>(Rows<D>::communicated(on));
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::find_forces(const Viscosity &viscous, double *f, int stride)
+{
+  force_sweep<D>(on, bond_fix->layout(), viscous, rows.kinematic(), rows.force(), f, stride);
+  coupling.add_forces<D>(f, stride);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::add_virial()
+{
+  std::vector<double> virials(vflag_atom ? 6 * (size_t) atom->nlocal : 0);
+  double *const each = vflag_atom ? virials.data() : nullptr;
+  double *const total = vflag_global ? virial : nullptr;
+  virial_sweep<D>(on, bond_fix->layout(), viscosity, rows.kinematic(), rows.force(), each, total);
+  coupling.add_virial<D>(rows.kinematic(), each, total);
+  if (vflag_atom)
+    for (int i = 0; i < atom->nlocal; i++)
+      for (int k = 0; k < 6; k++) vatom[i][k] += each[6 * (size_t) i + k];
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::add_energy()
+{
+  std::vector<double> energies(eflag_atom ? atom->nlocal : 0);
+  double *const each = eflag_atom ? energies.data() : nullptr;
+  double energy = energy_sweep<D>(on, bond_fix->layout(), rows.kinematic(), each);
+  averaging.add_energy(energy, each);
+  coupling.add_energy(energy, each);
+  if (eflag_global) eng_vdwl += energy;
+  if (eflag_atom)
+    for (int i = 0; i < atom->nlocal; i++) eatom[i] += each[i];
 }
 
 /* ----------------------------------------------------------------------
@@ -283,7 +256,7 @@ double PairTMSPH::spacing() const
 {
   const int family = bond_fix->family_sizes().second + 1;
   return horizon() * (domain->dimension == 2 ? std::sqrt(PI / family)
-                                          : std::cbrt(4.0 * PI / (3.0 * family)));
+                                             : std::cbrt(4.0 * PI / (3.0 * family)));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -292,31 +265,26 @@ void PairTMSPH::viscous_heat(std::vector<double> &power)
 {
   power.assign(atom->nlocal, 0.0);
   if (!on.viscosity) return;
+  const Slices &all = bond_fix->layout();
   if (domain->dimension == 2)
-    viscous_heat_sweep<2>(on, slices(), viscosity, kinematic.data(), force_row.data(),
-                          power.data());
+    viscous_heat_sweep<2>(on, all, viscosity, rows.kinematic(), rows.force(), power.data());
   else
-    viscous_heat_sweep<3>(on, slices(), viscosity, kinematic.data(), force_row.data(),
-                          power.data());
+    viscous_heat_sweep<3>(on, all, viscosity, rows.kinematic(), rows.force(), power.data());
 }
 
 /* ---------------------------------------------------------------------- */
 
-PairTMSPH::Fields PairTMSPH::fields()
+TMSPHFields PairTMSPH::fields()
 {
   const auto fill = [this](auto dimension) {
     constexpr int D = decltype(dimension)::value;
-    if (prepared_version != bond_fix->layout_version()) prepare<D>();
-    update_kinematics<D>();
+    if (prepared.laid_out_anew(*bond_fix)) prepare<D>();
+    find_displacements<D>();
     stress.resize((size_t) STRESS_ROW<D> * (atom->nlocal + atom->nghost));
-    gradient.resize((size_t) D * D * atom->nlocal);
     GradientOutput out;
     out.stress = stress.data();
-    out.gradient = gradient.data();
-    gradient_sweep<D>(on, slices(), 0, slices().count(), kinematic.data(), out);
-    if (averaging) find_pressures<D>();
-    own_side_stress<D>(false);
-    add_surface_stress();
+    find_gradients<D>(out, true);
+    find_stresses<D>(false);
   };
   if (domain->dimension == 2)
     fill(std::integral_constant<int, 2>());
@@ -325,58 +293,15 @@ PairTMSPH::Fields PairTMSPH::fields()
   return {stress.data(), gradient.data()};
 }
 
-/* ----------------------------------------------------------------------
-   under uniform stress in the interior f_ij = 2 W_ij/kappa sigma X_ij, and half of f u' is
-   the energy; summed over all bonds this is the strain energy of the body
-------------------------------------------------------------------------- */
+// for pair_tmsph_timestep.cpp
 
-double PairTMSPH::bond_energy(int i, int k, const double *stress) const
-{
-  const int D = domain->dimension;
-  const int j = bond_fix->partner_index(i, k);
-  double X[3], work = 0.0;
-  bond_fix->reference_vector(i, j, X);
-  const int row[3][3] = {{0, D, D + 1}, {D, 1, D + 2}, {D + 1, D + 2, 2}};
-  const double theta = (thermal_push(i) + thermal_push(j)) / (elastic(i).young + elastic(j).young);
-  for (int a = 0; a < D; a++) {
-    const double u = (atom->x[j][a] - bond_fix->reference(j)[a]) -
-        (atom->x[i][a] - bond_fix->reference(i)[a]) - theta * X[a];
-    for (int b = 0; b < D; b++) work += u * stress[row[a][b]] * X[b];
-  }
-  return bond_fix->weight(i, j) * work / bond_fix->interior_kappa();
-}
-
-/* ---------------------------------------------------------------------- */
-
-int PairTMSPH::stress_size() const
-{
-  return domain->dimension == 2 ? STRESS_ROW<2> : STRESS_ROW<3>;
-}
-
-/* ---------------------------------------------------------------------- */
-
-Slices &PairTMSPH::slices()
-{
-  return bond_fix->layout();
-}
-
-/* ---------------------------------------------------------------------- */
-
-double PairTMSPH::memory_usage()
-{
-  const size_t doubles = kinematic.capacity() + force_row.capacity() + stress.capacity() +
-      gradient.capacity() + rows.capacity() + exchanged.capacity() + mean_dilatation.capacity() +
-      pressure.capacity() + coupling_row.capacity() + surfaces.rows.capacity();
-  return Pair::memory_usage() + doubles * sizeof(double) + own_side.bytes() +
-      own_side_lane.capacity() * sizeof(int) + surfaces.near.capacity() * sizeof(Near) +
-      surfaces.spans.capacity() * sizeof(Span) + surfaces.across.capacity() * sizeof(Across);
-}
-
-// for pair_tmsph_own_side.cpp
-
+template void PairTMSPH::prepare<2>();
+template void PairTMSPH::prepare<3>();
+template void PairTMSPH::find_displacements<2>();
+template void PairTMSPH::find_displacements<3>();
+template void PairTMSPH::find_gradients<2>(GradientOutput, bool);
+template void PairTMSPH::find_gradients<3>(GradientOutput, bool);
 template void PairTMSPH::complete_rows<2>();
 template void PairTMSPH::complete_rows<3>();
-template void PairTMSPH::bond_forces<2>(const Viscosity &, double *, int);
-template void PairTMSPH::bond_forces<3>(const Viscosity &, double *, int);
-template void PairTMSPH::update_shape<2>(Slices &, int, int);
-template void PairTMSPH::update_shape<3>(Slices &, int, int);
+template void PairTMSPH::find_forces<2>(const Viscosity &, double *, int);
+template void PairTMSPH::find_forces<3>(const Viscosity &, double *, int);

@@ -11,16 +11,15 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_tmsph_bond.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "tmsph_doubts.h"
 #include "tmsph_last_force.h"
 #include "update.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -41,12 +40,10 @@ static const char CITE_TMSPH[] =
 /* ---------------------------------------------------------------------- */
 
 PairTMSPH::PairTMSPH(LAMMPS *lmp) :
-    Pair(lmp), TMSPHMaterials(lmp), TMSPHNotes(lmp), bond_fix(nullptr),
-    coefficients(0), coefficients_at_estimate(-1), bonds_at_estimate(0),
-    mass_at_estimate(0.0), stiffness_at_estimate(0.0), stable_dt(0.0), intact_dt(0.0),
-    reported(false), reported_timestep(false), stepped(false), box_moves(false), the_box(lmp),
-    prepared_version(-1), averaging(false), coupling(false),
-    what_to_send(FORCE_ROWS)
+    Pair(lmp), TMSPHMaterials(lmp), TMSPHNotes(lmp), the_box(lmp), ghosts(lmp, this),
+    rows(lmp, ghosts, the_box), averaging(lmp, *this, ghosts),
+    coupling(lmp, *this, averaging, ghosts), pressed(lmp, *this, ghosts),
+    run_report(lmp, *this, *this, *this)
 {
   if (lmp->citeme) lmp->citeme->add(CITE_TMSPH);
   single_enable = 0;
@@ -93,7 +90,7 @@ void PairTMSPH::allocate()
 void PairTMSPH::settings(int narg, char **arg)
 {
   chosen.read(lmp, narg, arg);
-  coefficients++;
+  run_report.forget_timestep();
 }
 
 /* ----------------------------------------------------------------------
@@ -105,7 +102,7 @@ void PairTMSPH::coeff(int narg, char **arg)
 {
   if (narg < 3) utils::missing_cmd_args(FLERR, "pair_coeff for pair style tmsph", error);
   if (!allocated) allocate();
-  coefficients++;
+  run_report.forget_timestep();
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
@@ -170,24 +167,26 @@ void PairTMSPH::init_style()
                    "needlessly many; set for instance 'neighbor {:.2g} bin'",
                    neighbor->skin, horizon(), 0.3 * horizon());
 
-  const bool expands = init_materials(setflag);
+  init_materials(setflag);
   on.law = chosen.law;
-  init_dilatation();
-  on.thermal = expands ? chosen.thermal : ThermalStrain::NONE;
+  averaging.init();
+  coupling.init();
+  pressed.init();
+  on.thermal = expands() ? chosen.thermal : ThermalStrain::NONE;
   on.hourglass = chosen.hourglass > 0.0;
-  on.viscosity = chosen.alpha1 > 0.0 || chosen.alpha2 > 0.0;
+  on.viscosity = viscous();
   viscosity.alpha1 = chosen.alpha1;
   viscosity.alpha2 = chosen.alpha2;
   viscosity.smoothing_length = horizon() / support_in_smoothing_lengths(chosen.kernel);
   comm_forward = domain->dimension == 2 ? Rows<2>::FORCE : Rows<3>::FORCE;    // the longest
-  prepared_version = surfaces.version = -1;
+  prepared.forget();
   forget_participants();
 
   bond_fix = dynamic_cast<FixTMSPHBond *>(modify->get_fix_by_id(FixTMSPHBond::ID));
   if (!bond_fix)
     bond_fix = dynamic_cast<FixTMSPHBond *>(
         modify->add_fix(fmt::format("{} all tmsph/bond", FixTMSPHBond::ID)));
-  if (!bond_fix->formed()) check_reach();
+  if (!bond_fix->formed()) check_reach(lmp, horizon());
   complete_particles(bond_fix->formed());
   the_box.init();
   TMSPHLastForce::put_last(lmp);
@@ -198,28 +197,6 @@ void PairTMSPH::init_style()
 double PairTMSPH::init_one(int /*i*/, int /*j*/)
 {
   return horizon();
-}
-
-/* ---------------------------------------------------------------------- */
-
-std::string PairTMSPH::features() const
-{
-  std::string text = domain->dimension == 3 ? "3-D"
-      : chosen.plane == Plane::STRAIN              ? "plane strain"
-                                            : "plane stress";
-  text += std::visit([](auto law) { return fmt::format(", {}", law.TITLE); }, on.law);
-  if (on.thermal == ThermalStrain::BOND) text += ", thermal bonds";
-  if (on.thermal == ThermalStrain::CONSTITUTIVE) text += ", thermal strain";
-  if (averaging) text += ", averaged dilatation";
-  if (coupling) text += ", coupled interfaces";
-  if (on.hourglass) text += fmt::format(", hourglass {}", chosen.hourglass);
-  if (on.viscosity) text += fmt::format(", viscosity {} {}", viscosity.alpha1, viscosity.alpha2);
-  if (break_test) text += fmt::format(", breaking with {} doubles more per ghost", stress_size());
-  if (contact)
-    text += fmt::format(", contact with {} doubles more per ghost", contact->doubles_per_ghost());
-  const int pressed = break_test ? doubles_of_pressed() : 0;
-  if (pressed) text += fmt::format(", pressed surfaces with {} doubles more per ghost", pressed);
-  return text;
 }
 
 /* ---------------------------------------------------------------------- */

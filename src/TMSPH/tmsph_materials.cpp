@@ -75,9 +75,9 @@ TMSPHMaterials::Material TMSPHMaterials::read_material(int narg, char **arg) con
 
 /* ---------------------------------------------------------------------- */
 
-bool TMSPHMaterials::init_materials(int **given)
+void TMSPHMaterials::init_materials(int **given)
 {
-  bool expands = false;
+  some_expand = false;
   for (int i = 1; i <= lammps->atom->ntypes; i++) {
     Material &m = materials[i];
     if (!given[i][i])    // of a hybrid, whose other styles know nothing of bonds
@@ -92,9 +92,8 @@ bool TMSPHMaterials::init_materials(int **given)
                          m.horizon, i, horizon());
     m.elastic = elastic_constants(lammps->domain->dimension, chosen.plane, m.young, m.poisson,
                                   m.expansion);
-    expands = expands || m.expansion != 0.0;
+    some_expand = some_expand || m.expansion != 0.0;
   }
-  return expands;
 }
 
 /* ----------------------------------------------------------------------

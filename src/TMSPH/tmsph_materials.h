@@ -38,8 +38,11 @@ class TMSPHMaterials : public TMSPHBondUser {
     return 0.5 * ((one > 0.0 ? one : horizon()) + (other > 0.0 ? other : horizon()));
   }
   bool bonded(int itype, int jtype) const override { return are_bonded[itype][jtype]; }
+  bool viscous() const override { return chosen.alpha1 > 0.0 || chosen.alpha2 > 0.0; }
 
   const TMSPHSettings &words() const { return chosen; }
+  /// some type does
+  bool expands() const { return some_expand; }
   const Material &material(int type) const { return materials[type]; }
   /// of longitudinal waves inside a solid
   static double wave_speed(const Material &m)
@@ -88,8 +91,7 @@ class TMSPHMaterials : public TMSPHBondUser {
     are_bonded[itype][jtype] = are_bonded[jtype][itype] = yes;
   }
   /// @param given [type][type] not 0: pair_coeff told
-  /// @return      true if some type expands
-  bool init_materials(int **given);
+  void init_materials(int **given);
   /// masses and temperatures that were not given; those that were must agree with the materials
   /// @param formed bonds formed in an earlier run
   void complete_particles(bool formed) const;
@@ -99,6 +101,7 @@ class TMSPHMaterials : public TMSPHBondUser {
  private:
   class LAMMPS *const lammps;
   std::vector<Material> materials;              // by type
+  bool some_expand = false;                     // since init
   std::vector<std::vector<char>> are_bonded;    // by type and type
 };
 

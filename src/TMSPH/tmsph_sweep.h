@@ -86,6 +86,11 @@ struct Slices {
   int count() const { return (int) valid.size(); }
   /// position of bond number b of the particle in lane l of slice q
   size_t at(int q, int l, int b) const { return ((size_t) offset[q] + b) * WIDTH + l; }
+  /// constants of local particle i, WIDTH apart, where the slices hold all of them in their order
+  template <int D> const double *constants(int i) const
+  {
+    return own.data() + (size_t) (i / WIDTH) * CONSTANTS<D> * WIDTH + i % WIDTH;
+  }
   size_t bytes() const
   {
     return (particle.capacity() + valid.capacity() + offset.capacity() + partner.capacity()) *
@@ -105,6 +110,10 @@ template <int D> inline Matrix<D, double> shape_inverse(const double *own)
 
 /** Cauchy stress row per particle: xx yy xy in 2-D, xx yy zz xy xz yz in 3-D. */
 template <int D> constexpr int STRESS_ROW = D == 2 ? 3 : 6;
+constexpr int stress_row(int dimension)
+{
+  return dimension == 2 ? STRESS_ROW<2> : STRESS_ROW<3>;
+}
 
 /// A tension that no bond survives, even in the mean with any other stress.
 constexpr double UNBEARABLE = 1.0e200;

@@ -6,7 +6,7 @@ that which slides, and sideways nu/(1 - nu) of the stress across, as the column 
 2-D and 3-D, on a line and on a plane.
 
 Bonds alone, which pass the load on over the horizon, give 0.71, 0.81, 0.96, 1.02 of it in the
-rows of a square lattice. With the share of the wall, averaged as pair_tmsph_pressed.cpp tells,
+rows of a square lattice. With the share of the wall, averaged as tmsph_pressed_surfaces.h tells,
 the equilibrium of the rows leaves 1.3 %, and the stress of the lowest is that of half a spacing
 above, here 1 %: bar 2 %. Friction may hold particles of a row unevenly: their mean counts."""
 

@@ -1,15 +1,13 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   States of the particles, and of an input between runs, that pair style tmsph cannot go on from.
+   States of the particles that a run cannot go on from.
 ------------------------------------------------------------------------- */
 
-#include "pair_tmsph.h"
+#include "tmsph_stop.h"
 
 #include "atom.h"
 #include "error.h"
-#include "fix_tmsph_bond.h"
-#include "force.h"
 #include "update.h"
 
 #include <cmath>
@@ -22,14 +20,17 @@ using namespace LAMMPS_NS;
    if a number is missing, tell whose
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::stop_inverted(int i)
+void LAMMPS_NS::stop_inverted(LAMMPS *lmp, const FixTMSPHBond &bonds, int i)
 {
-  const auto finite = [this](int p) {
+  const Atom *const atom = lmp->atom;
+  const Update *const update = lmp->update;
+  Error *const error = lmp->error;
+  const auto finite = [atom](int p) {
     const double *x = atom->x[p];
     return std::isfinite(x[0] + x[1] + x[2]);
   };
   int culprit = finite(i) ? -1 : i;
-  for (const auto &bond : bond_fix->family(i, FixTMSPHBond::ALL))
+  for (const auto &bond : bonds.family(i, FixTMSPHBond::ALL))
     if (culprit < 0 && !finite(bond.j)) culprit = bond.j;
   if (culprit >= 0)
     error->one(FLERR,
@@ -58,27 +59,15 @@ void PairTMSPH::stop_inverted(int i)
    a strain of -1 leaves nothing of the particle
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::stop_thermal()
+void LAMMPS_NS::stop_thermal(LAMMPS *lmp, const TMSPHMaterials &materials)
 {
+  const Atom *const atom = lmp->atom;
   for (int i = 0; i < atom->nlocal + atom->nghost; i++) {
-    const double strain = thermal_strain(i);
+    const double strain = materials.thermal_strain(i);
     if (!(strain > -1.0))
-      error->one(FLERR,
-                 "Particle {} has temperature {} and a thermal strain of {} on step {}: check its "
-                 "temperature, and 'expansion' and 'reference' in pair_coeff",
-                 atom->tag[i], atom->temperature[i], strain, update->ntimestep);
+      lmp->error->one(FLERR,
+                      "Particle {} has temperature {} and a thermal strain of {} on step {}: check "
+                      "its temperature, and 'expansion' and 'reference' in pair_coeff",
+                      atom->tag[i], atom->temperature[i], strain, lmp->update->ntimestep);
   }
-}
-
-/* ---------------------------------------------------------------------- */
-
-PairTMSPH *PairTMSPH::laid_out(LAMMPS *lmp, const std::string &who)
-{
-  auto pair = dynamic_cast<PairTMSPH *>(lmp->force->pair_match("^tmsph", 0));
-  if (!pair) lmp->error->all(FLERR, "{} needs pair style tmsph", who);
-  if (!pair->bond_fix || !pair->bond_fix->formed())
-    lmp->error->all(FLERR, "{} before the bonds formed: do a run first", who);
-  pair->bond_fix->need_layout(who);
-  pair->the_box.meet_output();
-  return pair;
 }

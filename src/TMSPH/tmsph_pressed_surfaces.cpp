@@ -1,23 +1,15 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
-   Stress of particles that walls or contacts press, for output and for the
-   breaking of bonds.
-
-   A force on the surface reaches the outermost particles, while bonds pass it
-   on over the horizon. What bonds carry of a uniform stress p near a wall
-   follows from their equilibrium, row by row: 0.71, 0.81, 0.96, 1.02 p in a
-   square lattice. Missing is p over half a row: the force on the surface times
-   half a row. Meant is the average with the kernel of both (Hardy, J. Chem.
-   Phys. 76 (1982) 622). Only bonds to the own material take part.
+   Stress of particles that walls or contacts press.
 ------------------------------------------------------------------------- */
 
-#include "pair_tmsph.h"
+#include "tmsph_pressed_surfaces.h"
 
-#include "atom.h"
+#include "domain.h"
 #include "fix.h"
 #include "modify.h"
-#include "tmsph_presses.h"
+#include "tmsph_surface_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +33,8 @@ static constexpr int ROUNDS = 3;
 
 static constexpr int CONTACT_ROUNDS = 2;
 
-// a surface that is pressed is taken to be so for this many calls: then nobody needs to ask
+// a surface that is pressed is taken to be so for this many calls: then nobody needs to ask (the
+// example uniaxial makes 7895 reductions in place of 12955)
 
 static constexpr int TRUSTED = 50;
 
@@ -51,53 +44,60 @@ namespace {
 enum { BY_SURFACE, BY_CONTACT, SPREAD };
 }
 
+/* ---------------------------------------------------------------------- */
+
+void TMSPHPressedSurfaces::init()
+{
+  size = stress_row(domain->dimension);
+  rows.set_columns(SPREAD + size);
+  layout.forget();
+}
+
 /* ----------------------------------------------------------------------
    after an exchange of particles all is found anew
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::lay_out_surfaces()
+void TMSPHPressedSurfaces::lay_out()
 {
-  if (surfaces.version == bond_fix->layout_version()) return;
-  surfaces.version = bond_fix->layout_version();
+  if (!layout.laid_out_anew(*bonds)) return;
+  layout.see(*bonds);
   const int nlocal = atom->nlocal;
-  surfaces.rows.assign((size_t) pressed_width() * (nlocal + atom->nghost), 0.0);
-  surfaces.near.clear();
-  surfaces.spans.assign(nlocal, Span());
-  surfaces.listed.assign(nlocal, 0);
-  surfaces.across.clear();
+  rows.fill(nlocal + atom->nghost, 0.0);
+  near_ones.clear();
+  spans.assign(nlocal, Span());
+  listed.assign(nlocal, 0);
+  across.clear();
   for (int i = 0; i < nlocal; i++)
-    for (const auto &bond : bond_fix->family(i, FixTMSPHBond::WHOLE))
+    for (const auto &bond : bonds->family(i, FixTMSPHBond::WHOLE))
       if (bond.j >= nlocal && atom->type[bond.j] == atom->type[i])
-        surfaces.across.push_back({i, bond.k, bond.j});
+        across.push_back({i, bond.k, bond.j});
 }
 
-/* ----------------------------------------------------------------------
-   @param touched local particles that lost a bond
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void PairTMSPH::drop_near(const std::vector<int> &touched)
+void TMSPHPressedSurfaces::follow(const FixTMSPHBond &present, const std::vector<int> &touched)
 {
-  if (surfaces.version != bond_fix->layout_version()) return;
-  for (const int i : touched) surfaces.spans[i] = Span();
+  if (layout.laid_out_anew(present)) return;
+  for (const int i : touched) spans[i] = Span();
 }
 
 /* ----------------------------------------------------------------------
    those near a local particle: itself first, then its bonds to the own material by ascending ids
 ------------------------------------------------------------------------- */
 
-PairTMSPH::Span PairTMSPH::near(int i)
+TMSPHPressedSurfaces::Span TMSPHPressedSurfaces::near(int i)
 {
-  Span &span = surfaces.spans[i];
+  Span &span = spans[i];
   if (span.last > 0) return span;
   const auto add = [this, i](int j) {
-    const double V_W = bond_fix->kernel_mass(i, j, horizon(atom->type[i], atom->type[i]));
-    surfaces.near.push_back({j, V_W / bond_fix->body_thickness()});
+    const double V_W = bonds->kernel_mass(i, j, materials.horizon(atom->type[i], atom->type[i]));
+    near_ones.push_back({j, V_W / bonds->body_thickness()});
   };
-  span.first = surfaces.near.size();
+  span.first = near_ones.size();
   add(i);
-  for (const auto &bond : bond_fix->family(i, FixTMSPHBond::WHOLE))
+  for (const auto &bond : bonds->family(i, FixTMSPHBond::WHOLE))
     if (atom->type[bond.j] == atom->type[i]) add(bond.j);
-  span.last = surfaces.near.size();
+  span.last = near_ones.size();
   return span;
 }
 
@@ -111,17 +111,15 @@ static bool reaches_outermost(Fix *fix)
   return !pairs || !pairs->over_horizon();
 }
 
-/* ----------------------------------------------------------------------
-   those of add_surface_stress(), once some surface is pressed; 0 without a fix that could
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-int PairTMSPH::doubles_of_pressed() const
+int TMSPHPressedSurfaces::doubles_per_ghost() const
 {
   int most = 0;
   for (Fix *fix : modify->get_fix_list())
     if (dynamic_cast<TMSPHPresses *>(fix))
-      most = std::max(most, reaches_outermost(fix) ? pressed_width() + ROUNDS * stress_size()
-                                                   : CONTACT_ROUNDS * pressed_width());
+      most = std::max(most, reaches_outermost(fix) ? rows.columns() + ROUNDS * size
+                                                   : CONTACT_ROUNDS * rows.columns());
   return most;
 }
 
@@ -146,42 +144,44 @@ static double norm(const double *s, int size)
    their own. Where nothing else presses only their stresses are sent, and fewer times.
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::add_surface_stress()
+void TMSPHPressedSurfaces::add_stress(const FixTMSPHBond &present, double *stresses)
 {
-  std::vector<TMSPHPresses::Share> shares;
-  bool possible = false, outermost = false;    // the same on all processors
+  std::vector<TMSPHPresses::Share> loads;
+  bool possible = false, by_surfaces = false;    // the same on all processors
   for (Fix *fix : modify->get_fix_list())
     if (auto *one = dynamic_cast<TMSPHPresses *>(fix)) {
-      one->add_shares(shares);
+      one->add_shares(loads);
       if (!one->may_press()) continue;
       possible = true;
-      outermost = outermost || reaches_outermost(fix);
+      by_surfaces = by_surfaces || reaches_outermost(fix);
     }
-  if (!possible || !pressed(!shares.empty())) return;
-  lay_out_surfaces();
-  take_shares(shares);
-  if (outermost)
+  if (!possible || !pressed(!loads.empty())) return;
+  bonds = &present;
+  stress = stresses;
+  lay_out();
+  take_loads(loads);
+  if (by_surfaces)
     average_surfaces();
   else
     average_pairs();
-  for (const auto *some : {&surfaces.sharing, &surfaces.touching})
-    for (const int i : *some) std::fill_n(pressed_row(i), pressed_width(), 0.0);
+  for (const auto *some : {&outermost, &touching})
+    for (const int i : *some) std::fill_n(rows[i], rows.columns(), 0.0);
 }
 
 /* ----------------------------------------------------------------------
-   @param mine some surface here (collective)
+   @param here some surface of this processor (collective)
    @return     some surface anywhere; perhaps no more
 ------------------------------------------------------------------------- */
 
-bool PairTMSPH::pressed(bool mine)
+bool TMSPHPressedSurfaces::pressed(bool here)
 {
-  if (surfaces.trusted > 0) {
-    surfaces.trusted--;
+  if (trusted > 0) {
+    trusted--;
     return true;
   }
-  int here = mine, any;
-  MPI_Allreduce(&here, &any, 1, MPI_INT, MPI_MAX, world);
-  if (any) surfaces.trusted = TRUSTED;
+  int mine = here, any;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any) trusted = TRUSTED;
   return any;
 }
 
@@ -189,72 +189,68 @@ bool PairTMSPH::pressed(bool mine)
    rows of local particles, and those that have one
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::take_shares(const std::vector<TMSPHPresses::Share> &shares)
+void TMSPHPressedSurfaces::take_loads(const std::vector<TMSPHPresses::Share> &loads)
 {
-  const int size = stress_size();
-  surfaces.sharing.clear();
-  surfaces.touching.clear();
-  for (const auto &share : shares) {
-    const int i = share.i;
-    const double flat[3] = {share.stress[0], share.stress[1], share.stress[3]};
-    const double *s = size == 3 ? flat : share.stress;
-    double *own = stress.data() + (size_t) size * i;
+  outermost.clear();
+  touching.clear();
+  for (const auto &load : loads) {
+    const int i = load.i;
+    const double flat[3] = {load.stress[0], load.stress[1], load.stress[3]};
+    const double *s = size == 3 ? flat : load.stress;
+    double *own = stress + (size_t) size * i;
     const double surface = norm(s, size), bonded = norm(own, size);
     if (surface == 0.0) continue;
-    double &pressed_by = pressed_row(i)[share.outermost ? BY_SURFACE : BY_CONTACT];
+    double &pressed_by = rows[i][load.outermost ? BY_SURFACE : BY_CONTACT];
     if (pressed_by == 0.0)
-      (share.outermost ? surfaces.sharing : surfaces.touching).push_back(i);
+      (load.outermost ? outermost : touching).push_back(i);
     pressed_by = std::max(pressed_by, std::min(1.0, surface / (PRESSED * (surface + bonded))));
-    double sum = share.outermost ? 0.0 : 1.0;
-    if (share.outermost) {
+    double sum = load.outermost ? 0.0 : 1.0;
+    if (load.outermost) {
       const Span span = near(i);
-      for (int n = span.first; n < span.last; n++) sum += surfaces.near[n].mass;
+      for (int n = span.first; n < span.last; n++) sum += near_ones[n].mass;
     }
-    double *to = share.outermost ? pressed_row(i) + SPREAD : own;
+    double *to = load.outermost ? rows[i] + SPREAD : own;
     for (int k = 0; k < size; k++) to[k] += s[k] / sum;
   }
 }
 
 /* ----------------------------------------------------------------------
-   local particles that have a share, or on whose family forces on the outermost press
+   local particles that are pressed, or on whose family forces on the outermost press
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::find_members()
+void TMSPHPressedSurfaces::find_members()
 {
-  auto &members = surfaces.members;
   members.clear();
   const auto add = [&](int i) {
-    if (!surfaces.listed[i]) members.push_back({i, 0.0});
-    surfaces.listed[i] = 1;
+    if (!listed[i]) members.push_back({i, 0.0});
+    listed[i] = 1;
   };
-  for (const int i : surfaces.touching) add(i);
-  for (const int i : surfaces.sharing) {
+  for (const int i : touching) add(i);
+  for (const int i : outermost) {
     const Span span = near(i);
     for (int n = span.first; n < span.last; n++)
-      if (surfaces.near[n].j < atom->nlocal) add(surfaces.near[n].j);
+      if (near_ones[n].j < atom->nlocal) add(near_ones[n].j);
   }
-  for (const auto &bond : surfaces.across)
-    if (pressed_row(bond.ghost)[BY_SURFACE] > 0.0 &&
-        bond_fix->bond_state(bond.i, bond.k) == FixTMSPHBond::INTACT)
+  for (const auto &bond : across)
+    if (rows[bond.ghost][BY_SURFACE] > 0.0 &&
+        bonds->bond_state(bond.i, bond.k) == FixTMSPHBond::INTACT)
       add(bond.i);
-  for (const Member &m : members) surfaces.listed[m.i] = 0;
+  for (const Member &m : members) listed[m.i] = 0;
 }
 
 /* ---------------------------------------------------------------------- */
 
-void PairTMSPH::average_surfaces()
+void TMSPHPressedSurfaces::average_surfaces()
 {
-  const int size = stress_size(), width = pressed_width();
-  send(PRESSES);
+  ghosts.send(rows, 0, rows.columns());
   find_members();
-  auto &members = surfaces.members;
-  surfaces.change.assign(members.size() * size, 0.0);
-  double *change = surfaces.change.data();
+  changes.assign(members.size() * size, 0.0);
+  double *change = changes.data();
   for (Member &m : members) {
     const Span span = near(m.i);
     for (int n = span.first; n < span.last; n++) {
-      const Near &one = surfaces.near[n];
-      const double *his = &surfaces.rows[(size_t) width * one.j];
+      const Near &one = near_ones[n];
+      const double *his = rows[one.j];
       m.part = std::max(m.part, his[BY_SURFACE]);
       for (int k = 0; k < size; k++) change[k] += one.mass * his[SPREAD + k];
     }
@@ -262,8 +258,8 @@ void PairTMSPH::average_surfaces()
   }
   add_changes();
   for (int round = 0; round < ROUNDS; round++) {
-    send(STRESS);
-    average(stress.data(), size, round < CONTACT_ROUNDS);
+    ghosts.send(stress, size, size);
+    average(stress, size, round < CONTACT_ROUNDS);
   }
 }
 
@@ -271,16 +267,15 @@ void PairTMSPH::average_surfaces()
    of those that are pressed the stresses come along
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::average_pairs()
+void TMSPHPressedSurfaces::average_pairs()
 {
-  const int size = stress_size();
-  surfaces.members.clear();
-  for (const int i : surfaces.touching) surfaces.members.push_back({i, 0.0});
+  members.clear();
+  for (const int i : touching) members.push_back({i, 0.0});
   for (int round = 0; round < CONTACT_ROUNDS; round++) {
-    for (const int i : surfaces.touching)
-      std::copy_n(stress.data() + (size_t) size * i, size, pressed_row(i) + SPREAD);
-    send(PRESSES);
-    average(surfaces.rows.data() + SPREAD, pressed_width(), true);
+    for (const int i : touching)
+      std::copy_n(stress + (size_t) size * i, size, rows[i] + SPREAD);
+    ghosts.send(rows, 0, rows.columns());
+    average(rows[0] + SPREAD, rows.columns(), true);
   }
 }
 
@@ -290,23 +285,22 @@ void PairTMSPH::average_pairs()
    @param pairs           with the averages over pairs of contact
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::average(const double *stresses, int stride, bool pairs)
+void TMSPHPressedSurfaces::average(const double *stresses, int stride, bool pairs)
 {
-  const int size = stress_size(), width = pressed_width();
-  surfaces.change.assign(surfaces.members.size() * size, 0.0);
-  for (size_t number = 0; number < surfaces.members.size(); number++) {
-    const Member &m = surfaces.members[number];
-    double *change = surfaces.change.data() + number * size;
+  changes.assign(members.size() * size, 0.0);
+  for (size_t number = 0; number < members.size(); number++) {
+    const Member &m = members[number];
+    double *change = changes.data() + number * size;
     const double *mine = stresses + (size_t) stride * m.i;
-    const double touched = pairs ? pressed_row(m.i)[BY_CONTACT] : 0.0;
+    const double touched = pairs ? rows[m.i][BY_CONTACT] : 0.0;
     if (!(mine[0] < UNBEARABLE)) continue;
     const Span span = near(m.i);
     for (int n = span.first; n < span.last; n++) {
-      const Near &one = surfaces.near[n];
+      const Near &one = near_ones[n];
       const double most = touched == 0.0
           ? m.part
           : std::max(m.part,
-                     std::min(touched, surfaces.rows[(size_t) width * one.j + BY_CONTACT]));
+                     std::min(touched, rows[one.j][BY_CONTACT]));
       const double *his = stresses + (size_t) stride * one.j;
       if (most == 0.0 || !(his[0] < UNBEARABLE)) continue;
       const double part = most * one.mass;
@@ -318,10 +312,17 @@ void PairTMSPH::average(const double *stresses, int stride, bool pairs)
 
 /* ---------------------------------------------------------------------- */
 
-void PairTMSPH::add_changes()
+void TMSPHPressedSurfaces::add_changes()
 {
-  const int size = stress_size();
-  const double *change = surfaces.change.data();
-  for (const Member &m : surfaces.members)
+  const double *change = changes.data();
+  for (const Member &m : members)
     for (int k = 0; k < size; k++) stress[(size_t) size * m.i + k] += *change++;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHPressedSurfaces::bytes() const
+{
+  return rows.bytes() + near_ones.capacity() * sizeof(Near) + spans.capacity() * sizeof(Span) +
+      across.capacity() * sizeof(Across);
 }

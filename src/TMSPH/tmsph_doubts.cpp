@@ -4,19 +4,17 @@
    Numbers that are allowed but make no sense: a warning each, with the remedy.
 ------------------------------------------------------------------------- */
 
-#include "pair_tmsph.h"
+#include "tmsph_doubts.h"
 
-#include "atom.h"
-#include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_tmsph_bond.h"
 #include "group.h"
 #include "modify.h"
 #include "tmsph_report.h"
 #include "update.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -41,15 +39,15 @@ static constexpr double POSITION_LOSS = 1.0e-6;
    @return what is wrong with the first type whose numbers are those of no solid
 ------------------------------------------------------------------------- */
 
-std::string PairTMSPH::doubtful_material() const
+static std::string doubtful_material(LAMMPS *lmp, const TMSPHMaterials &materials)
 {
-  const UnitNames unit(update->unit_style);
-  for (int type = 1; type <= atom->ntypes; type++) {
-    const Material &m = material(type);
-    if (!plausible(type))
+  const UnitNames unit(lmp->update->unit_style);
+  for (int type = 1; type <= lmp->atom->ntypes; type++) {
+    const TMSPHMaterials::Material &m = materials.material(type);
+    if (!materials.plausible(type))
       return fmt::format("No solid has waves of {:.3g} {} as type {}: give its Young's modulus, "
                          "{}, in {}, and its density, {}, in {}",
-                         wave_speed(m), unit.speed, type, m.young, unit.pressure, m.density,
+                         TMSPHMaterials::wave_speed(m), unit.speed, type, m.young, unit.pressure, m.density,
                          unit.density);
     if (unit.meters_per_second > 0.0 && std::fabs(m.expansion) > MOST_EXPANSION)
       return fmt::format("No solid expands by {} per degree as type {}: give its coefficient of "
@@ -63,9 +61,10 @@ std::string PairTMSPH::doubtful_material() const
    from the sizes of the body; of a plate or a row the small ones, or round-off, do not count.
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::check_reach() const
+void LAMMPS_NS::check_reach(LAMMPS *lmp, double horizon)
 {
-  const int D = domain->dimension;
+  const Atom *const atom = lmp->atom;
+  const int D = lmp->domain->dimension;
   if (!atom->natoms) return;
   std::array<double, 6> mine, all;    // largest coordinates, and minus the smallest
   mine.fill(-HUGE_VAL);
@@ -74,7 +73,7 @@ void PairTMSPH::check_reach() const
       mine[k] = std::max(mine[k], atom->x[i][k]);
       mine[3 + k] = std::max(mine[3 + k], -atom->x[i][k]);
     }
-  MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(mine.data(), all.data(), 6, MPI_DOUBLE, MPI_MAX, lmp->world);
   std::vector<double> sizes;
   for (int k = 0; k < D; k++) sizes.push_back(all[k] + all[3 + k]);
   std::sort(sizes.begin(), sizes.end(), std::greater<double>());
@@ -83,19 +82,20 @@ void PairTMSPH::check_reach() const
     part *= sizes[k];
     spacing = std::max(spacing, std::pow(part, 1.0 / (1 + k)));
   }
-  if (spacing > 0.0 && horizon() > ABSURD_HORIZON * spacing)
-    error->all(FLERR,
-               "The horizon {} of pair_style tmsph is {:.3g} particle spacings: give it as a "
-               "length, {} spacings are {:.3g}",
-               horizon(), horizon() / spacing, USUAL_HORIZON, USUAL_HORIZON * spacing);
+  if (spacing > 0.0 && horizon > ABSURD_HORIZON * spacing)
+    lmp->error->all(FLERR,
+                    "The horizon {} of pair_style tmsph is {:.3g} particle spacings: give it as a "
+                    "length, {} spacings are {:.3g}",
+                    horizon, horizon / spacing, USUAL_HORIZON, USUAL_HORIZON * spacing);
 }
 
 /* ---------------------------------------------------------------------- */
 
-std::string PairTMSPH::doubtful_horizon() const
+static std::string doubtful_horizon(LAMMPS *lmp, const TMSPHMaterials &materials,
+                                    const TMSPHInventory &inventory)
 {
-  for (int type = 1; type <= atom->ntypes; type++) {
-    const double spacing = present[type].spacing, own = horizon(type, type);
+  for (int type = 1; type <= lmp->atom->ntypes; type++) {
+    const double spacing = inventory.of(type).spacing, own = materials.horizon(type, type);
     if (spacing == 0.0) continue;
     const bool shorter = own < SHORTEST_HORIZON * spacing;
     if (!shorter && own < LONGEST_HORIZON * spacing) continue;
@@ -112,13 +112,13 @@ std::string PairTMSPH::doubtful_horizon() const
    not of the order of the cube of the spacing: lattices have 0.7 to 1 of it, a random cloud 4
 ------------------------------------------------------------------------- */
 
-std::string PairTMSPH::doubtful_volume() const
+static std::string doubtful_volume(LAMMPS *lmp, const TMSPHInventory &inventory, double thickness)
 {
-  const double thickness = bond_fix->body_thickness();
+  const Domain *const domain = lmp->domain;
   double size = 0.0;
   for (int k = 0; k < domain->dimension; k++) size = std::max(size, domain->prd[k]);
-  for (int type = 1; type <= atom->ntypes; type++) {
-    const Present &t = present[type];
+  for (int type = 1; type <= lmp->atom->ntypes; type++) {
+    const TMSPHInventory::Type &t = inventory.of(type);
     if (t.spacing == 0.0) continue;
     const double ratio = t.volume / (t.particles * t.cell);
     if (domain->dimension == 3 && (ratio < 0.2 || ratio > 10.0))
@@ -136,29 +136,32 @@ std::string PairTMSPH::doubtful_volume() const
 
 /* ---------------------------------------------------------------------- */
 
-std::string PairTMSPH::doubtful_place() const
+static std::string doubtful_place(LAMMPS *lmp, const TMSPHInventory &inventory)
 {
+  const Atom *const atom = lmp->atom;
   double mine = 0.0, farthest, spacing = HUGE_VAL;
   for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < domain->dimension; k++)
+    for (int k = 0; k < lmp->domain->dimension; k++)
       mine = std::max(mine, std::fabs(atom->x[i][k]));
-  MPI_Allreduce(&mine, &farthest, 1, MPI_DOUBLE, MPI_MAX, world);
-  for (int type = 1; type <= atom->ntypes; type++)
-    if (present[type].spacing > 0.0) spacing = std::min(spacing, present[type].spacing);
+  MPI_Allreduce(&mine, &farthest, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
+  for (int type = 1; type <= atom->ntypes; type++) {
+    const double one = inventory.of(type).spacing;
+    if (one > 0.0) spacing = std::min(spacing, one);
+  }
   const double unit = std::nextafter(farthest, HUGE_VAL) - farthest;
   if (!(unit > POSITION_LOSS * spacing)) return "";
   return fmt::format("Positions of {:.3g} are rounded to {:.1g} of the spacing: put the body near "
                      "the origin", farthest, unit / spacing);
 }
 
-/* ----------------------------------------------------------------------
-   @return the first doubt; what is derived from the same numbers is not blamed then
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-std::string PairTMSPH::doubts() const
+std::string LAMMPS_NS::find_doubt(LAMMPS *lmp, const TMSPHMaterials &materials,
+                                  const TMSPHInventory &inventory, double thickness)
 {
   for (const std::string &doubt :
-       {doubtful_material(), doubtful_horizon(), doubtful_volume(), doubtful_place()})
+       {doubtful_material(lmp, materials), doubtful_horizon(lmp, materials, inventory),
+        doubtful_volume(lmp, inventory, thickness), doubtful_place(lmp, inventory)})
     if (!doubt.empty()) return doubt;
   return "";
 }
@@ -167,21 +170,14 @@ std::string PairTMSPH::doubts() const
    a fix on nobody; groups that follow a condition may have members later
 ------------------------------------------------------------------------- */
 
-void PairTMSPH::check_groups()
+void LAMMPS_NS::check_groups(LAMMPS *lmp, TMSPHNotes &notes)
 {
-  if (!atom->natoms) return;
-  for (Fix *fix : modify->get_fix_list())
+  Group *const group = lmp->group;
+  if (!lmp->atom->natoms) return;
+  for (Fix *fix : lmp->modify->get_fix_list())
     if (fix->igroup > 0 && !group->dynamic[fix->igroup] && group->count(fix->igroup) == 0)
-      warn_once(fmt::format("Group {} of fix {} is empty: check the region or the types that it "
-                            "was made of, and that particles were there before it",
-                            group->names[fix->igroup], fix->id));
-}
-
-/* ---------------------------------------------------------------------- */
-
-void PairTMSPH::check_expansion()
-{
-  if (expands() || !break_test || modify->get_fix_by_style("^tmsph/heat").empty()) return;
-  warn_once("Temperatures load nothing, because no type expands: add 'expansion alpha' to "
-            "pair_coeff");
+      notes.warn_once(
+          fmt::format("Group {} of fix {} is empty: check the region or the types that it was made "
+                      "of, and that particles were there before it",
+                      group->names[fix->igroup], fix->id));
 }
