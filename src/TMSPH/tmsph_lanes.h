@@ -3,7 +3,9 @@
 
    Eight doubles side by side. The inner loops treat eight particles at a
    time; one vector holds one quantity of the eight. GCC and Clang lower the
-   vector type to whatever the processor has (AVX-512, AVX, SSE2, NEON).
+   vector type to whatever the processor has (AVX-512, AVX, SSE2, NEON). Functions
+   of such are inlined or local to a file: what GCC warns of, another ABI with
+   other processors, is not used (-Wno-psabi).
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_TMSPH_LANES_H
@@ -11,10 +13,6 @@
 
 #include <cmath>
 #include <cstring>
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"    // every function here is inlined: no ABI is involved
-#endif
 
 namespace TMSPH {
 
