@@ -11,6 +11,11 @@
 namespace TMSPH {
 namespace {
 
+// part of h^2 that keeps the viscosity of particles that come close finite: Monaghan, Annu. Rev.
+// Astron. Astrophys. 30 (1992) 543
+
+constexpr double SOFTENING = 0.01;
+
 /// What the eight bonds of one row look like: X_ij, u'_ij and the factor 1/(1 + theta_ij).
 /// In 2-D half of the kinematic row (X and u) will do unless WHOLE is asked for.
 template <int D, bool THERMAL, bool WHOLE = THERMAL> struct BondRow {
@@ -177,6 +182,36 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
   }
 }
 
+/// Viscosity of the bonds of one row: their forces are factor times x, their power factor times
+/// rate. Speeds and densities are sums of both ends.
+template <int D> struct ViscousRow {
+  Lanes factor, rate;
+
+  TMSPH_INLINE ViscousRow(double h, double alpha1, double alpha2, const Lanes *X, const Lanes *x,
+                          const Lanes *own, const Lanes *other, const Lanes *mine,
+                          const Lanes *his)
+  {
+    using R = Rows<D>;
+    Lanes r2 = x[0] * x[0], X2 = X[0] * X[0];
+    rate = (his[R::V] - mine[R::V]) * x[0];
+    for (int k = 1; k < D; k++) {
+      r2 += x[k] * x[k];
+      X2 += X[k] * X[k];
+      rate += (his[R::V + k] - mine[R::V + k]) * x[k];
+    }
+    // in 2-D wave speed and density end the kinematic row, in 3-D the force row
+    const Lanes *const i_end = D == 2 ? own : mine;
+    const Lanes *const j_end = D == 2 ? other : his;
+    const Lanes speed = i_end[R::SPEED] + j_end[R::SPEED];
+    const Lanes density = i_end[R::DENSITY] + j_end[R::DENSITY];
+    r2 += 1.0e-300;    // pads have x = 0; lost in any other square
+    const Lanes soft = r2 + SOFTENING * h * h;
+    const Lanes mu = h * rate / soft;
+    factor = mu * density * square_root(X2 / r2) *
+        (alpha1 * speed - alpha2 * minimum(mu, broadcast(0.0)));
+  }
+};
+
 /// What a sweep with the forces of the bonds sums up.
 enum class Sum { FORCE, VIRIAL, HEAT };
 
@@ -191,7 +226,6 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
       : D == 3 && !VISCOUS                                  ? 12
                                                             : R::FORCE;
   const double h = viscosity.smoothing_length;
-  // speed and density below are sums of both ends
   const double alpha1 = 0.25 * viscosity.alpha1 / viscosity.kappa;
   const double alpha2 = 0.5 * viscosity.alpha2 / viscosity.kappa;
   for (int q = 0; q < bonds.count(); q++) {
@@ -225,25 +259,9 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
         for (int k = 0; k < D; k++)
           x[k] = bond.X[k] + (other[R::U + k] - own.row[R::U + k]);
       if constexpr (VISCOUS) {
-        Lanes r2 = x[0] * x[0], X2 = bond.X[0] * bond.X[0];
-        Lanes rate = (his[R::V] - mine[R::V]) * x[0];
-        for (int k = 1; k < D; k++) {
-          r2 += x[k] * x[k];
-          X2 += bond.X[k] * bond.X[k];
-          rate += (his[R::V + k] - mine[R::V + k]) * x[k];
-        }
-        // in 2-D wave speed and density end the kinematic row, in 3-D the force row
-        const Lanes *const i_end = D == 2 ? own.row : mine;
-        const Lanes *const j_end = D == 2 ? other : his;
-        const Lanes speed = i_end[R::SPEED] + j_end[R::SPEED];
-        const Lanes density = i_end[R::DENSITY] + j_end[R::DENSITY];
-        r2 += 1.0e-300;    // pads have x = 0
-        const Lanes soft = r2 + 0.01 * h * h;
-        const Lanes mu = h * rate / soft;
-        const Lanes factor = mu * density * square_root(X2 / r2) *
-            (alpha1 * speed - alpha2 * minimum(mu, broadcast(0.0)));
-        for (int k = 0; k < D; k++) t[k] += factor * x[k];
-        if constexpr (SUM == Sum::HEAT) heat += weight * factor * rate;
+        const ViscousRow<D> viscous(h, alpha1, alpha2, bond.X, x, own.row, other, mine, his);
+        for (int k = 0; k < D; k++) t[k] += viscous.factor * x[k];
+        if constexpr (SUM == Sum::HEAT) heat += weight * viscous.factor * viscous.rate;
       }
       for (int i = 0; i < D; i++) {
         t[i] *= weight;
