@@ -14,8 +14,8 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// horizons that the longest trial displacement has: far below strains that change the stiffness, far
-// above round-off of the forces
+// longest trial displacement in horizons: far below strains that change the stiffness, far above
+// round-off of the forces
 
 static constexpr double TRIAL = 1.0e-6;
 

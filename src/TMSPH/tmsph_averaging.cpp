@@ -15,6 +15,7 @@ using namespace TMSPH;
 
 // above these Poisson's ratios the stresses are off by more than 5 %, by lambda times errors of
 // the dilatation: without averaging, with it, and with it next to another material
+// (doc/report/incompressible.md)
 
 static constexpr double MAX_PLAIN = 0.45, MAX_AVERAGED = 0.4999, MAX_COUPLED = 0.499;
 

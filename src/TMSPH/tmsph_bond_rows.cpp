@@ -17,7 +17,8 @@ using namespace TMSPH;
 
 /* ---------------------------------------------------------------------- */
 
-template <int D> void TMSPHBondRows::lay_out(const TMSPHMaterials &materials, const FixTMSPHBond &bonds)
+template <int D>
+void TMSPHBondRows::lay_out(const TMSPHMaterials &materials, const FixTMSPHBond &bonds)
 {
   using R = Rows<D>;
   const int nall = atom->nlocal + atom->nghost;

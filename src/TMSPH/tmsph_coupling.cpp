@@ -13,7 +13,8 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// a particle is no nearer to the interface than this, in spacings
+// a particle is no nearer to the interface than this, in spacings: two ends at 0 would have no
+// mean. Those next to an interface of a lattice are at 0.5
 
 static constexpr double LEAST_DEPTH = 0.05;
 

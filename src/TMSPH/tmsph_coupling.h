@@ -35,8 +35,8 @@ class TMSPHCoupling : protected Pointers {
   void lay_out(FixTMSPHBond &);
   /// local particles that lost a bond, ascending
   void follow(const FixTMSPHBond &, const std::vector<int> &touched);
-  /** Forces of the bonds across, and what they put into the force rows through the gradients of both
-      sides.
+  /** Forces of the bonds across, and what they put into the force rows through the gradients of
+      both sides.
       @param kinematic rows of local and ghost particles
       @param gradients H of the local particles in the present force evaluation */
   template <int D>

@@ -30,7 +30,8 @@ namespace TMSPH {
 
 enum class Dilatation { AUTO, PLAIN, AVERAGED };
 
-/// From this Poisson's ratio on, exclusive, AUTO averages.
+/// From this Poisson's ratio on, exclusive, AUTO averages: plain is right and cheaper up to 0.45
+/// (doc/report/incompressible.md), and rock has less than 0.4.
 constexpr double AVERAGED_ABOVE = 0.4;
 
 /// tr E of H = F - I, row-major; without thermal strain

@@ -31,6 +31,14 @@ static constexpr double MOST_EXPANSION = 1.0e-3;
 static constexpr double SHORTEST_HORIZON = 2.0, LONGEST_HORIZON = 8.0, ABSURD_HORIZON = 50.0;
 static constexpr double USUAL_HORIZON = 3.015;
 
+// volume of a particle in cubes of the spacing: lattices have 0.7 to 1, a random cloud 4
+
+static constexpr double LEAST_VOLUME = 0.2, MOST_VOLUME = 10.0;
+
+// a body in 2-D is thought of as this thick at most in its own sizes, at least in spacings
+
+static constexpr double THICKEST = 100.0, THINNEST = 0.01;
+
 // what round-off may take of a spacing: failure is at strains of 1e-4 to 1e-3
 
 static constexpr double POSITION_LOSS = 1.0e-6;
@@ -47,8 +55,8 @@ static std::string doubtful_material(LAMMPS *lmp, const TMSPHMaterials &material
     if (!materials.plausible(type))
       return fmt::format("No solid has waves of {:.3g} {} as type {}: give its Young's modulus, "
                          "{}, in {}, and its density, {}, in {}",
-                         TMSPHMaterials::wave_speed(m), unit.speed, type, m.young, unit.pressure, m.density,
-                         unit.density);
+                         TMSPHMaterials::wave_speed(m), unit.speed, type, m.young, unit.pressure,
+                         m.density, unit.density);
     if (unit.meters_per_second > 0.0 && std::fabs(m.expansion) > MOST_EXPANSION)
       return fmt::format("No solid expands by {} per degree as type {}: give its coefficient of "
                          "linear expansion per degree, 1e-5 for rock", m.expansion, type);
@@ -109,7 +117,7 @@ static std::string doubtful_horizon(LAMMPS *lmp, const TMSPHMaterials &materials
 
 /* ----------------------------------------------------------------------
    A thickness in 2-D that is neither 1 nor of the order of the body, and volumes in 3-D that are
-   not of the order of the cube of the spacing: lattices have 0.7 to 1 of it, a random cloud 4
+   not of the order of the cube of the spacing
 ------------------------------------------------------------------------- */
 
 static std::string doubtful_volume(LAMMPS *lmp, const TMSPHInventory &inventory, double thickness)
@@ -121,11 +129,11 @@ static std::string doubtful_volume(LAMMPS *lmp, const TMSPHInventory &inventory,
     const TMSPHInventory::Type &t = inventory.of(type);
     if (t.spacing == 0.0) continue;
     const double ratio = t.volume / (t.particles * t.cell);
-    if (domain->dimension == 3 && (ratio < 0.2 || ratio > 10.0))
+    if (domain->dimension == 3 && (ratio < LEAST_VOLUME || ratio > MOST_VOLUME))
       return fmt::format("Volumes of type {} are {:.3g} times the cube of the spacing: give that, "
                          "about {:.3g}, with 'set type {} volume'", type, ratio, t.cell, type);
     if (domain->dimension == 2 && thickness != 1.0 &&
-        (thickness > 100.0 * size || thickness < 0.01 * t.spacing))
+        (thickness > THICKEST * size || thickness < THINNEST * t.spacing))
       return fmt::format("Volumes of particles make the body {:.3g} thick: in 2-D they are area "
                          "times thickness, give {:.3g} for a thickness of 1 with 'set group all "
                          "volume'",

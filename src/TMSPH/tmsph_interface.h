@@ -24,6 +24,7 @@
 namespace TMSPH {
 
 /// c in harmonic means of Young's moduli: 3 is too soft, 30 gains nothing and costs time steps
+/// (measured with the inclusions of unittest/verification/test_incompressible.py)
 inline double coupling_stiffness(double young_i, double young_j)
 {
   return 10.0 * 2.0 * (young_i * young_j) / (young_i + young_j);
@@ -60,7 +61,7 @@ class InterfaceDepth {
   }
 
  private:
-  static constexpr int STEPS = 100;
+  static constexpr int STEPS = 100;    // layers: depths, half a spacing or more, are 17 of them
   double horizon = 0.0;
   std::vector<double> below;
 };

@@ -84,10 +84,11 @@ void TMSPHRunReport::report(const FixTMSPHBond &bonds, const Facts &facts)
     error->warning(FLERR, "{} particles have their neighbors on one {} and carry no stress: bodies "
                           "should be 2 particles thick, better 4",
                    all_flat, domain->dimension == 2 ? "line" : "line or plane");
-  if (broken && !participants.bonds_may_break())    // of an earlier run: a restart has the bonds but not the fix
+  const bool may_break = participants.bonds_may_break();
+  if (broken && !may_break)    // of an earlier run: a restart has the bonds but not the fix
     error->warning(FLERR, "Bonds have broken before, and now none can: give fix tmsph/hoekbrown "
                           "again after read_restart");
-  if (cut && !participants.bonds_may_break() && !(participants.states_in_contact() >> FixTMSPHBond::CUT & 1u))
+  if (cut && !may_break && !(participants.states_in_contact() >> FixTMSPHBond::CUT & 1u))
     error->warning(FLERR, "The faces of cuts pass through each other: add a fix "
                           "tmsph/contact");
 }
@@ -101,7 +102,8 @@ void TMSPHRunReport::end()
       (reason == Min::ETOL && update->etol > 0.0) ||
       strcmp(update->minimize_style, "tmsph/lbfgs") == 0)
     return;
-  notes.warn_once(fmt::format("Min_style {} ended with forces of {:.3g}, above the tolerance {:.3g}: use "
-                        "'min_style tmsph/lbfgs'", update->minimize_style,
-                        std::sqrt(update->minimize->fnorm_sqr()), update->ftol));
+  notes.warn_once(
+      fmt::format("Min_style {} ended with forces of {:.3g}, above the tolerance {:.3g}: use "
+                  "'min_style tmsph/lbfgs'",
+                  update->minimize_style, std::sqrt(update->minimize->fnorm_sqr()), update->ftol));
 }

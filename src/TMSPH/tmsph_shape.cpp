@@ -14,6 +14,9 @@ namespace TMSPH {
 // the intact body cannot tell strains apart. Bonds add positive semidefinite terms, so that this
 // eigenvalue only falls as they break: a particle that has lost its stress never gets it back in a
 // state that it reached without. By its own largest eigenvalue it would, when a heavy bond goes.
+// In parts of the interior one, in a square lattice with the usual horizon: 0.5 at a straight side,
+// 0.25 at a corner, 0.16 of a row with one bond across, 0.05 of two bonds 45 degrees apart; of two
+// that are nearly parallel 1e-4.
 
 static constexpr double SINGULAR = 0.02;
 

@@ -13,8 +13,8 @@
 
 namespace TMSPH {
 
-/** Forces on the local particles when they are displaced by push times the trial vector and have 2/dt
-    times that as velocities, without what is quadratic in those. */
+/** Forces on the local particles when they are displaced by push times the trial vector and have
+    2/dt times that as velocities, without what is quadratic in those. */
 using TrialForces = std::function<void(const std::vector<double> &trial, double push, double dt,
                                        std::vector<double> &forces)>;
 
