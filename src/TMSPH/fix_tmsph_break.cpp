@@ -59,6 +59,7 @@ void FixTMSPHBreak::init()
   debris.set_young(young);
   armed = false;
   version = -1;
+  init_openings();
 
   // fragments may meet, unless contact of all surfaces sees to that
 
@@ -191,7 +192,7 @@ void FixTMSPHBreak::find_due(const double *stress)
   test = Test();
 
   beyond.resize(nall);
-  bool any = ranked || !one_rock;
+  bool any = ranked || !one_rock || looking;
   for (int i = 0; i < nall; i++) {
     beyond[i] = ranked || (may_fail(i, row(i)) &&
         criterion->fails(type[i], type[i], principals_of(i, row(i)), strengths[i]));
@@ -202,7 +203,9 @@ void FixTMSPHBreak::find_due(const double *stress)
   for (int i = 0; i < nlocal; i++) {
     for (const auto &[k, j, state] : bonds->family(i, FixTMSPHBond::WHOLE)) {
       const bool same = one_rock || criterion->alike(type[i], type[j]);
-      if (same && !beyond[i] && !beyond[j]) continue;
+      const bool open = looking && opens(i, j);
+      if (same && !beyond[i] && !beyond[j] && !(open && (opening->near(i) || opening->near(j))))
+        continue;
 
       Due bond = {i, k, 0.0, {}, {}};
       double zz = 0.0;
@@ -211,6 +214,7 @@ void FixTMSPHBreak::find_due(const double *stress)
         zz = 0.5 * (pair->stress_zz(i, row(i)[0], row(i)[1]) +
                     pair->stress_zz(j, row(j)[0], row(j)[1]));
       bond.principals = principals(bond.stress, zz);
+      if (opens(i, j) && (!looking || begin_opening(bond))) continue;
       const double strength = 0.5 * (strengths[i] + strengths[j]);
       const int other = same ? type[i] : type[j];
       if (ranked) {
@@ -243,8 +247,10 @@ void FixTMSPHBreak::keep_most_loaded()
 void FixTMSPHBreak::break_bonds(const double *stress, std::vector<int> &touched)
 {
   follow_layout();
+  if (opening) follow_openings(stress);
   armed = false;
   find_due(stress);
+  if (opening && looking) complete_openings();
   if (relative > 0.0)
     keep_most_loaded();
   else if (fresh)
@@ -255,6 +261,7 @@ void FixTMSPHBreak::break_bonds(const double *stress, std::vector<int> &touched)
     const int i = bond.i, j = bonds->partner_index(i, bond.k);
     if (atom->tag[i] < atom->tag[j]) record(bond);
     bonds->remove_bond(i, bond.k, FixTMSPHBond::BROKEN);
+    if (opening) opening->forget(i, bond.k);
     if (list) debris.add(i, j, *bonds);
     if (touched.empty() || touched.back() != i) touched.push_back(i);
   }
@@ -403,6 +410,12 @@ double FixTMSPHBreak::compute_scalar()
 double FixTMSPHBreak::compute_vector(int n)
 {
   if (n < 2) return total(n);
+  if (n > 4) {
+    const auto part = opening ? opening->balance() : TMSPHOpenings::Balance();
+    double sum;
+    MPI_Allreduce(&part[n - 5], &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+    return sum;
+  }
   if (n == 3) return largest_load();
   double mine = n == 2 ? (double) broken_now : 0.5 * debris.contacts();
   double all;

@@ -13,6 +13,7 @@
 #include "tmsph_criterion.h"
 #include "tmsph_debris.h"
 #include "tmsph_ghost_rows.h"
+#include "tmsph_openings.h"
 #include "tmsph_report.h"
 
 #include <memory>
@@ -40,6 +41,8 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
   bool due() const override { return armed; }
   void break_bonds(const double *, std::vector<int> &) override;
   double repel(double *) override;
+  TMSPHOpenings *openings() override { return opening.get(); }
+  void remove_opened(std::vector<int> &) override;
   void tell() override;
 
   /** What a test in equilibrium found, on all processors. */
@@ -70,6 +73,9 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
     double strength = 0.0;
     double modulus = 0.0;    // Weibull; 0: no scatter
     int seed = 0;
+    double energy = 0.0;     // G_f of a crack; 0: bonds break at once
+    double toughness = 0.0;  // K_Ic in place of it, or 0
+    double tensile = 0.0;    // uniaxial tensile strength/strength
   };
   struct Event {
     double column[13];
@@ -99,6 +105,12 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
   double relative;                       // in equilibrium, of the largest load factor; else 0
   Test test;
   std::vector<Due> due_bonds;
+  std::unique_ptr<TMSPHOpenings> opening;    // with energy or toughness
+  TMSPHOpenings::Balance before{};       // from a restart file
+  TMSPHBondWatch damage_watch;
+  std::vector<char> damaged, watched;    // of local particles: bonds are gone; their bonds are tested
+  bool began;                            // here, in this test
+  bool looking;                          // at bonds that may open, on some processor
   std::vector<Event> events;
   std::vector<double *> event_rows;
 
@@ -109,6 +121,17 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
   TMSPH::Principals principals_of(int i, const double *stress) const;
   bool may_fail(int i, const double *stress) const;
   void find_due(const double *stress);
+  void follow_openings(const double *stress);
+  bool opens(int i, int j) const;
+  bool opens_type(int type) const { return rocks[type].energy > 0.0 || rocks[type].toughness > 0.0; }
+  void check_openings() const;
+  double characteristic_length(int type) const;
+  double tensile_strength_of(int i) const { return strengths[i] * rocks[atom->type[i]].tensile; }
+  bool begin_opening(Due &);
+  void init_openings();
+  void complete_openings();
+  double crack_energy(int type) const;
+  double crack_modulus(int type) const;
   void keep_most_loaded();
   void warn_of_hot_start();
   void record(const Due &);

@@ -24,7 +24,7 @@ using namespace LAMMPS_NS;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 3.0;
+static constexpr double RESTART_FORMAT = 4.0;
 
 // A crack through bonds that break takes 15 sigma^2 dx/(2 E) per area, with sigma the tensile
 // strength and dx the spacing (examples/quench/in.toughness, doc/report/quench.md)
@@ -47,10 +47,10 @@ FixTMSPHBreak::FixTMSPHBreak(LAMMPS *lmp, int narg, char **arg,
     Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), list(nullptr), ghosts(lmp, this),
     debris(lmp), criterion(std::move(law)), rocks(atom->ntypes + 1), all_principals(false),
     one_rock(true), armed(false), version(-1), broken{0, 0}, broken_now(0), fresh(true),
-    relative(0.0)
+    relative(0.0), began(false), looking(false)
 {
   scalar_flag = vector_flag = local_flag = 1;
-  size_vector = 5;
+  size_vector = 11;
   global_freq = 1;
   extscalar = extvector = 0;
   size_local_rows = 0;
@@ -127,6 +127,23 @@ bool FixTMSPHBreak::parse_general(int &iarg, int narg, char **arg)
     iarg += 2;
     return true;
   }
+  if (word == "energy" || word == "toughness") {
+    if (iarg + 3 > narg)
+      utils::missing_cmd_args(FLERR, fmt::format("fix {} {}", style, word), error);
+    int lo, hi;
+    TMSPH::read_types(lmp, fmt::format("Fix {} {}", style, word), word + " * value", arg[iarg + 1],
+                      lo, hi);
+    const double value = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+    if (!(value > 0.0) || std::isinf(value))
+      error->all(FLERR, "Fix {} {} {} is out of range: it must be positive", style, word,
+                 arg[iarg + 2]);
+    for (int type = lo; type <= hi; type++) {
+      rocks[type].energy = word == "energy" ? value : 0.0;
+      rocks[type].toughness = word == "energy" ? 0.0 : value;
+    }
+    iarg += 3;
+    return true;
+  }
   if (word != "weibull") return false;
   if (iarg + 4 > narg) utils::missing_cmd_args(FLERR, fmt::format("fix {} weibull", style), error);
   int lo, hi;
@@ -157,25 +174,35 @@ bool FixTMSPHBreak::parse_general(int &iarg, int narg, char **arg)
 void FixTMSPHBreak::tell()
 {
   using namespace TMSPH;
+  check_openings();
   const UnitNames unit(update->unit_style);
   const std::string strength = criterion->strength_name();
-  TextTable table({"type", heading(strength, unit.pressure), heading("tensile", unit.pressure),
-                   strength + "/E", heading("crack_energy", unit.area_energy),
-                   heading("toughness", unit.toughness)});
+  std::vector<std::string> columns = {
+      "type", heading(strength, unit.pressure), heading("tensile", unit.pressure), strength + "/E",
+      heading("crack_energy", unit.area_energy), heading("toughness", unit.toughness)};
+  if (opening) columns.emplace_back("spacing/length");
+  TextTable table(columns);
   for (int type = 1; type <= atom->ntypes; type++) {
     const double young = pair->material(type).young, tensile = tensile_strength(type);
-    const double energy = CRACK_ENERGY * tensile * tensile * pair->spacing_of(type) / young;
-    table.add({std::to_string(type), digits(rocks[type].strength), digits(tensile),
-               digits(rocks[type].strength / young), energy > 0.0 ? digits(energy) : "-",
-               energy > 0.0 ? digits(std::sqrt(young * energy)) : "-"});
+    const double spacing = pair->spacing_of(type);
+    const bool opens = opens_type(type);
+    const double energy =
+        opens ? crack_energy(type) : CRACK_ENERGY * tensile * tensile * spacing / young;
+    std::vector<std::string> row = {
+        std::to_string(type), digits(rocks[type].strength), digits(tensile),
+        digits(rocks[type].strength / young), energy > 0.0 ? digits(energy) : "-",
+        energy > 0.0 ? digits(std::sqrt((opens ? crack_modulus(type) : young) * energy)) : "-"};
+    if (opening) row.push_back(opens ? digits(spacing / characteristic_length(type)) : "-");
+    table.add(row);
   }
   const std::string rows = table.text();
   if (!pair->news(rows)) return;
   if (comm->me == 0)
     utils::logmesg(lmp,
                    "TMSPH breaking: {}, a crack takes {} tensile^2 spacing/E, its "
-                   "characteristic length is {} spacings\n{}",
-                   criterion->title(), CRACK_ENERGY, CRACK_ENERGY, rows);
+                   "characteristic length is {} spacings{}\n{}",
+                   criterion->title(), CRACK_ENERGY, CRACK_ENERGY,
+                   opening ? "; where bonds open, the given energy" : "", rows);
   for (int type = 1; type <= atom->ntypes; type++) {
     const double ratio = rocks[type].strength / pair->material(type).young;
     if (!pair->plausible(type) || (ratio >= WEAKEST && ratio <= STRONGEST)) continue;
@@ -214,6 +241,9 @@ void FixTMSPHBreak::write_restart(FILE *fp)
 {
   const double tension = total(0), shear = total(1);
   std::vector<double> list = {RESTART_FORMAT, tension, shear, (double) comm->nprocs};
+  TMSPHOpenings::Balance all{}, mine = opening ? opening->finished() : all;
+  MPI_Allreduce(mine.data(), all.data(), all.size(), MPI_DOUBLE, MPI_SUM, world);
+  list.insert(list.end(), all.begin(), all.end());
   gather_events(list);
   if (comm->me) return;
   const int size = list.size() * sizeof(double);
@@ -255,8 +285,10 @@ void FixTMSPHBreak::restart(char *buf)
   memcpy(head, buf, sizeof(head));
   for (int mode = 0; mode < 2; mode++)
     broken[mode] = comm->me == 0 ? (bigint) head[1 + mode] : 0;
+  buf += sizeof(head);
+  memcpy(before.data(), buf, sizeof(before));
   std::vector<double> counts((size_t) head[3]);
-  memcpy(counts.data(), buf += sizeof(head), counts.size() * sizeof(double));
+  memcpy(counts.data(), buf += sizeof(before), counts.size() * sizeof(double));
   buf += counts.size() * sizeof(double);
   for (size_t proc = 0; proc < counts.size(); proc++) {
     const size_t known = events.size(), more = (size_t) counts[proc];

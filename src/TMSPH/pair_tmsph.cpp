@@ -9,6 +9,7 @@
 
 #include "atom.h"
 #include "domain.h"
+#include "tmsph_openings.h"
 #include "tmsph_pi.h"
 #include "tmsph_stop.h"
 
@@ -36,6 +37,16 @@ void PairTMSPH::compute(int eflag, int vflag)
 template <int D> void PairTMSPH::evaluate()
 {
   if (prepared.laid_out_anew(*bond_fix)) prepare<D>();
+  const bool testing = break_test && break_test->due();
+
+  // bonds that are open leave
+
+  if (openings()) openings()->follow();
+  if (testing && opens()) {
+    std::vector<int> touched;
+    break_test->remove_opened(touched);
+    follow<D>(touched);
+  }
 
   // where the particles are
 
@@ -45,7 +56,6 @@ template <int D> void PairTMSPH::evaluate()
 
   // strains and stresses of particles
 
-  const bool testing = break_test && break_test->due();
   int inverted = -1;
   GradientOutput out;
   out.force_row = rows.force();
@@ -55,7 +65,7 @@ template <int D> void PairTMSPH::evaluate()
     stress.resize((size_t) STRESS_ROW<D> * (atom->nlocal + atom->nghost));
     out.stress = stress.data();
   }
-  find_gradients<D>(out, contact || averaging.on());
+  find_gradients<D>(out, contact || averaging.on() || openings());
   if (inverted >= 0) stop_inverted(lmp, *bond_fix, inverted);
 
   // breaking
@@ -94,6 +104,8 @@ template <int D> void PairTMSPH::prepare()
   own_side.lay_out<D>(*bond_fix, *atom, rows.kinematic());
   averaging.lay_out(*bond_fix);
   viscosity.kappa = kappa;
+  for (int type = 1; type <= atom->ntypes; type++)
+    on.hourglass = on.hourglass || material(type).hourglass > 0.0;
   prepared.see(*bond_fix);
 }
 
@@ -105,7 +117,7 @@ ParticleConstants PairTMSPH::constants(int i) const
 {
   const Elastic &m = elastic(i);
   return {atom->vfrac[i], averaging.averages(atom->type[i]) ? 0.0 : m.lambda, m.shear,
-          chosen.hourglass * m.young / bond_fix->body_thickness()};
+          material(atom->type[i]).hourglass * m.young / bond_fix->body_thickness()};
 }
 
 /* ----------------------------------------------------------------------
@@ -130,6 +142,8 @@ template <int D> void PairTMSPH::find_gradients(GradientOutput out, bool keep)
   }
   const Slices &all = bond_fix->layout();
   gradient_sweep<D>(on, all, 0, all.count(), rows.kinematic(), out);
+  if (opens())
+    openings()->correct<D>({on, all, rows.kinematic(), out.force_row, out.gradient, out.stress});
   if (averaging.on()) averaging.find_pressures<D>(*bond_fix, on.thermal, gradient.data());
 }
 
@@ -185,13 +199,15 @@ template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
   }
   GradientOutput out;
   out.force_row = rows.force();
-  if (contact || averaging.on()) out.gradient = gradient.data();
+  if (contact || averaging.on() || openings()) out.gradient = gradient.data();
   int last_slice = -1;
   for (int i : touched) {
     const int q = i / WIDTH;
     if (q != last_slice) gradient_sweep<D>(on, all, q, q + 1, rows.kinematic(), out);
     last_slice = q;
   }
+  if (opens())
+    openings()->correct<D>({on, all, rows.kinematic(), rows.force(), gradient.data(), nullptr});
   pressed.follow(*bond_fix, touched);
   coupling.follow(*bond_fix, touched);
   if (averaging.on()) averaging.find_pressures<D>(*bond_fix, on.thermal, gradient.data());
@@ -208,6 +224,7 @@ template <int D> void PairTMSPH::complete_rows()
   if (coupling.on())
     coupling.find_forces<D>(*bond_fix, on.thermal, rows.kinematic(), gradient.data(),
                             rows.force());
+  if (opens()) openings()->finish<D>(bond_state());
   rows.send_forces<D>(Rows<D>::communicated(on));
 }
 
@@ -217,6 +234,7 @@ template <int D> void PairTMSPH::find_forces(const Viscosity &viscous, double *f
 {
   force_sweep<D>(on, bond_fix->layout(), viscous, rows.kinematic(), rows.force(), f, stride);
   coupling.add_forces<D>(f, stride);
+  if (opens()) openings()->add_forces<D>(bond_state(), f, stride, nullptr, nullptr);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -228,6 +246,7 @@ template <int D> void PairTMSPH::add_virial()
   double *const total = vflag_global ? virial : nullptr;
   virial_sweep<D>(on, bond_fix->layout(), viscosity, rows.kinematic(), rows.force(), each, total);
   coupling.add_virial<D>(rows.kinematic(), each, total);
+  if (opens()) openings()->add_forces<D>(bond_state(), nullptr, 0, total, each);
   if (vflag_atom)
     for (int i = 0; i < atom->nlocal; i++)
       for (int k = 0; k < 6; k++) vatom[i][k] += each[6 * (size_t) i + k];
@@ -237,9 +256,14 @@ template <int D> void PairTMSPH::add_virial()
 
 template <int D> void PairTMSPH::add_energy()
 {
-  std::vector<double> energies(eflag_atom ? atom->nlocal : 0);
-  double *const each = eflag_atom ? energies.data() : nullptr;
+  std::vector<double> energies(eflag_atom || opens() ? atom->nlocal : 0);
+  double *const each = energies.empty() ? nullptr : energies.data();
   double energy = energy_sweep<D>(on, bond_fix->layout(), rows.kinematic(), each);
+  if (opens())
+    for (const auto &one : openings()->energies()) {
+      energy += one.energy - each[one.i];
+      each[one.i] = one.energy;
+    }
   averaging.add_energy(energy, each);
   coupling.add_energy(energy, each);
   if (eflag_global) eng_vdwl += energy;
@@ -257,6 +281,20 @@ double PairTMSPH::spacing() const
   const int family = bond_fix->family_sizes().second + 1;
   return horizon() * (domain->dimension == 2 ? std::sqrt(PI / family)
                                              : std::cbrt(4.0 * PI / (3.0 * family)));
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool PairTMSPH::opens() const
+{
+  return openings() && openings()->anywhere();
+}
+
+/* ---------------------------------------------------------------------- */
+
+TMSPHBondState PairTMSPH::bond_state()
+{
+  return {on, bond_fix->layout(), rows.kinematic(), rows.force(), gradient.data(), nullptr};
 }
 
 /* ---------------------------------------------------------------------- */
@@ -279,6 +317,7 @@ TMSPHFields PairTMSPH::fields()
   const auto fill = [this](auto dimension) {
     constexpr int D = decltype(dimension)::value;
     if (prepared.laid_out_anew(*bond_fix)) prepare<D>();
+    if (openings()) openings()->follow();
     find_displacements<D>();
     stress.resize((size_t) STRESS_ROW<D> * (atom->nlocal + atom->nghost));
     GradientOutput out;

@@ -40,6 +40,9 @@ struct TMSPHFields {
   const double *gradient;    ///< [nlocal][dimension*dimension], F - I over all bonds
 };
 
+class TMSPHOpenings;
+struct TMSPHBondState;
+
 class PairTMSPH : public Pair,
                   public TMSPHMaterials,
                   public TMSPHParticipants,
@@ -84,6 +87,10 @@ class PairTMSPH : public Pair,
   {
     return *bond_fix->layout().constants<D>(i) != 0.0;
   }
+  /// what the last force evaluation worked on
+  TMSPHBondState bond_state();
+  /// true if the dilatation of this type is averaged
+  bool averages(int type) const { return averaging.averages(type); }
   /// power that viscosity took at local particles in the last force evaluation, to be called before
   /// the next exchange; 0 without viscosity
   void viscous_heat(std::vector<double> &power);
@@ -116,6 +123,8 @@ class PairTMSPH : public Pair,
   void allocate();
   std::string features() const;
   TMSPH::ParticleConstants constants(int i) const;
+  TMSPHOpenings *openings() const { return break_test ? break_test->openings() : nullptr; }
+  bool opens() const;
   template <int D> void prepare();
   template <int D> void evaluate();
   template <int D> void find_displacements();

@@ -86,11 +86,16 @@ class TMSPHBondValues {
   int place(int i, int n) const { return (int) rows[i][(size_t) n * (width + 1)]; }
   double *values(int i, int n) { return rows[i].data() + (size_t) n * (width + 1) + 1; }
   const double *values(int i, int n) const { return const_cast<TMSPHBondValues *>(this)->values(i, n); }
-  /// of the bond at place k in the family of i; nullptr if there are none
-  double *find(int i, int k)
+  /// number of the bond at place k in the family of i; -1 if it carries none
+  int number(int i, int k) const
   {
     const int n = at(i, k);
-    return n < count(i) && place(i, n) == k ? values(i, n) : nullptr;
+    return n < count(i) && place(i, n) == k ? n : -1;
+  }
+  double *find(int i, int k)
+  {
+    const int n = number(i, k);
+    return n < 0 ? nullptr : values(i, n);
   }
   /// begins to carry numbers for the bond at place k in the family of i, zeros first
   double *insert(int i, int k, int nmax)

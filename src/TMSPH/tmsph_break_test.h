@@ -23,6 +23,10 @@ struct TMSPHBreakTest {
       @param virial six components to add to, or nullptr
       @return this processor's part of their energy */
   virtual double repel(double *virial) = 0;
+  /// bonds that open, or nullptr where all break at once
+  virtual class TMSPHOpenings *openings() = 0;
+  /// removes the bonds that are fully open and may leave; local particles are added to touched
+  virtual void remove_opened(std::vector<int> &touched) = 0;
 
  protected:
   ~TMSPHBreakTest() = default;    // owned as a fix, never through this interface

@@ -105,7 +105,7 @@ template <class Law> inline double dissipated_energy(Law, const Opening &o)
     fall by k dc. The new opening is where that line meets the law: with q = t + k c
       q <= 0            closed; as long as it never opened: q <= t0
       below the largest the secant:        c = q/(k + T(c_max)/c_max)
-      above             the falling branch: q - k c = T(c)
+      above             the falling branch: q - k c = T(c), beyond its end without traction
     This minimizes t-line + k/2 (c' - c)^2 + the energy of the law, whose second derivative is at least
     -STEEPEST t0/c_f: U(c) + stored + dissipated never rises if k is half of the second derivative of
     the elastic energy U per area plus half of that, or more.
@@ -128,7 +128,7 @@ template <class Law> inline void update(Law, Opening &o, double trial, double ha
     }
   }
   const double x = Law::opening(q / o.strength, k * o.end / o.strength);
-  o.now = o.most = std::max(o.most, x * o.end);
+  o.now = o.most = x < 1.0 ? std::max(o.most, x * o.end) : std::max(o.end, q / k);
 }
 
 /** For update(): half of the second derivative of the elastic energy of a bond by its

@@ -92,6 +92,7 @@ void TMSPHMaterials::init_materials(int **given)
                          m.horizon, i, horizon());
     m.elastic = elastic_constants(lammps->domain->dimension, chosen.plane, m.young, m.poisson,
                                   m.expansion);
+    m.hourglass = chosen.hourglass;
     some_expand = some_expand || m.expansion != 0.0;
   }
 }

@@ -13,6 +13,7 @@
 #include "tmsph_bond_user.h"
 #include "tmsph_settings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ class TMSPHMaterials : public TMSPHBondUser {
     double young = 0.0, poisson = 0.0;
     double horizon = 0.0;      // 0: that of pair_style
     TMSPH::Elastic elastic;    // set at init, when dimension and plane state are known
+    double hourglass = 0.0;    // coefficient of this type, set at init
   };
 
   explicit TMSPHMaterials(class LAMMPS *lammps) : lammps(lammps) {}
@@ -44,6 +46,11 @@ class TMSPHMaterials : public TMSPHBondUser {
   /// some type does
   bool expands() const { return some_expand; }
   const Material &material(int type) const { return materials[type]; }
+  /// in the init of a fix: particles of this type need so much hourglass control
+  void raise_hourglass(int type, double coefficient)
+  {
+    materials[type].hourglass = std::max(materials[type].hourglass, coefficient);
+  }
   /// of longitudinal waves inside a solid
   static double wave_speed(const Material &m)
   {

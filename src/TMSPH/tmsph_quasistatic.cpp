@@ -149,6 +149,9 @@ void TMSPHQuasistatic::check_fixes()
                      fix->style);
   }
   rock = FixTMSPHBreak::find(lmp);
+  if (rock && rock->openings())
+    error->all(FLERR, "Tmsph/quasistatic cannot follow bonds that open: leave out energy and "
+                      "toughness in fix {} {}, or use run", rock->style, rock->id);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -88,7 +88,9 @@ TYPED_TEST(Cohesion, energy_never_rises)
       ASSERT_GE(dissipated_energy(this->law, o), gone - 1e-15);
       ASSERT_GE(o.now, 0.0);
       ASSERT_LE(o.now, o.most);
-      ASSERT_LE(o.most, o.end);
+      if (o.now > o.end) {    // it follows, without traction
+        ASSERT_EQ(traction(this->law, o), 0.0);
+      }
     }
   }
 }
@@ -114,7 +116,8 @@ TYPED_TEST(Cohesion, full_opening_takes_the_fracture_energy)
   }
   const double fracture = TypeParam::area(1.0) * o.strength * o.end;
   EXPECT_NEAR(dissipated_energy(this->law, o), fracture, 1e-12);
-  EXPECT_NEAR(o.now, o.end, 1e-15);
+  EXPECT_EQ(traction(this->law, o), 0.0);
+  EXPECT_NEAR(o.now, before, 2.0e-5);    // within two steps it follows the stretch
 }
 
 // closed it is as stiff as before, and what was stored comes back

@@ -1,0 +1,142 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Openings of bonds that a cohesive law holds: what they change in a force
+   evaluation, how they grow, when a bond leaves the fit. The equations are in
+   tmsph_open_bond.h and tmsph_cohesion.h.
+
+   In a step, at the new positions, the openings follow the tractions until
+   these are on their law again; both halves of the kick have the forces of then.
+   So positions feel the potential that is left when the openings are in
+   equilibrium: nothing is lost to how fast a crack opens. (One update a step
+   lags behind, and acts like viscosity between the faces.)
+------------------------------------------------------------------------- */
+
+#ifndef LMP_TMSPH_OPENINGS_H
+#define LMP_TMSPH_OPENINGS_H
+
+#include "fix_tmsph_bond.h"
+#include "pointers.h"
+#include "tmsph_ghost_rows.h"
+#include "tmsph_open_bond.h"
+
+#include <array>
+#include <tuple>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+/** What a force evaluation works on; see tmsph_sweep.h. */
+struct TMSPHBondState {
+  const TMSPH::Features &on;
+  const TMSPH::Slices &slices;
+  const double *kinematic;
+  double *force_row;
+  double *gradient, *stress;    ///< or nullptr
+};
+
+class TMSPHOpenings : protected Pointers {
+ public:
+  TMSPHOpenings(class LAMMPS *, FixTMSPHBond &, TMSPHGhostSender &);
+
+  /// true if a bond of this processor's particles opens; of any processor's, as of the last look()
+  bool here() const { return !open.empty(); }
+  bool anywhere() const { return any; }
+  bool opens_at(int i) const { return values.count(i); }
+  bool opens_bond(int i, int k) const { return values.find(i, k); }
+  void look(bool anywhere) { any = anywhere; }
+  /// particles may have changed places (collective)
+  void follow();
+  /// the bond at place k of local particle i is gone for another reason
+  void forget(int i, int k) { values.erase(i, k); }
+
+  /// gradients, stresses and the first part of the force rows of particles with openings
+  template <int D> void correct(const TMSPHBondState &);
+  /// the force rows; ghosts get rotations (collective)
+  template <int D> void finish(const TMSPHBondState &);
+  /// what the rows do not hold: added to forces of local particles and to virials, where these are
+  /// not nullptr
+  template <int D>
+  void add_forces(const TMSPHBondState &, double *f, int stride, double *total,
+                  double *each) const;
+  /// what finish() found instead of the energy of local particle i, with half of what its openings
+  /// hold
+  struct Energy {
+    int i;
+    double energy;
+  };
+  const std::vector<Energy> &energies() const { return energy; }
+
+  /// rows of all local particles are filled and sent (collective). near: bonds at them are tested
+  template <int D> void exchange(const TMSPHBondState &, const std::vector<char> &near);
+  bool near(int i) const { return rows[i][near_column] != 0.0; }
+  /// adds what the fits of both ends leave over of bond (i, j) to its mean stress
+  template <int D> void add_residual(int i, int j, double *stress) const;
+  /** Bond k of local particle i begins to open across a stress.
+      @param strength t0
+      @param energy   of the crack per area, G_f, with the calibration of the method in it */
+  template <int D>
+  void begin(int i, int k, int j, const double *stress, double strength, double energy);
+  /// areas of those that just began, on some processor (collective)
+  template <int D> void complete(const TMSPHBondState &);
+  /// openings follow the tractions, again and again (collective); after exchange()
+  template <int D> void update(TMSPHBondState, const std::vector<char> &near);
+  /// bonds that leave the fit now: of these i and k, seen from each end
+  struct Leaving {
+    int i, k;
+    TMSPH::OpenBond bond;
+  };
+  std::vector<Leaving> take_leaving();
+
+  /// doubles per particle that it sends at most
+  int most_sent() const;
+  double bytes() const { return rows.bytes(); }
+
+  /// of this processor, half of each bond at each end: energies that openings took, that they hold,
+  /// that updates gained (0 in theory) and that is lost with bonds that left the fit; area, that of unfinished ones by their opening; number of opening bonds
+  enum { DISSIPATED, STORED, GAINED, LOST, AREA, OPENING, FIGURES };
+  using Balance = std::array<double, FIGURES>;
+  Balance balance() const;
+  /// what is finished, for restart files
+  Balance finished() const { return done; }
+  void resume(const Balance &before) { done = before; }
+
+ private:
+  FixTMSPHBond &bonds;
+  TMSPHGhostSender &ghosts;
+  TMSPHBondValues &values;
+  TMSPHParticleValues &shapes;       // Kbar^-1 when the first bond began to open
+  TMSPHBondWatch watch;
+  std::vector<int> open;             // local particles with openings, ascending
+  bool any = false;
+  std::tuple<std::vector<TMSPH::OpenFit<2>>, std::vector<TMSPH::OpenFit<3>>> fits_of;
+  std::vector<Energy> energy;
+  TMSPHGhostRows rows;
+  int near_column = 0, candidate_column = 0;
+  const double *kinematic = nullptr; // of the last exchange(),
+  bool heated = false;               // where it has thermal bonds
+  Balance done{};                    // of finished openings
+  double fits_energy = 0.0;          // of all fits here when they were evaluated last
+  double rise = 0.0;                 // of what openings hold and took in an update since then
+  bool updated = false;              // there was one
+  TMSPH::CohesiveLaw law;
+
+  TMSPH::OpenBond &bond(int i, int n) { return *reinterpret_cast<TMSPH::OpenBond *>(values.values(i, n)); }
+  const TMSPH::OpenBond &bond(int i, int n) const
+  {
+    return *reinterpret_cast<const TMSPH::OpenBond *>(values.values(i, n));
+  }
+  void list_open();
+  void make_rows(int width);
+  /// X and u' of bond (i, j), with the displacements of the rows: the same bits from both ends
+  template <int D> double relative(int i, int j, double *X, double *u) const;
+  template <int D> void gather(const TMSPHBondState &, int i, TMSPH::OpenFit<D> &) const;
+  template <int D> double update_once(bool decides);
+  void decide_leaving(int i, int j, TMSPH::OpenBond &);
+  void book(double energy_of_fits);
+  template <int D>
+  void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);
+};
+
+}    // namespace LAMMPS_NS
+#endif
