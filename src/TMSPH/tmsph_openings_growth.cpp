@@ -1,0 +1,372 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   How openings begin and grow, and when a bond leaves the fit.
+------------------------------------------------------------------------- */
+
+#include "tmsph_openings.h"
+
+#include "atom.h"
+#include "tmsph_open_row.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+namespace {
+
+// a bond leaves the fit only if the smallest eigenvalue of Kbar stays above this part of that in the
+// interior at both its ends; chosen, not scanned, in the study of opening bonds with shear
+
+constexpr double LEAST_SHAPE = 0.2;
+
+// updates until a bond that may not leave the fit is tried again
+
+constexpr double PATIENCE = 20.0;
+
+// so close are tractions to their laws, in units of the strength; more than a few sweeps are rare
+
+constexpr double CLOSE_TO_LAW = 1.0e-3;
+constexpr int MOST_SWEEPS = 30;
+
+// opened by this part of the end of the law a bond is fully open
+
+constexpr double FULLY = 0.999;
+
+// bonds along the faces of a crack do not open it; with the cosine the area that they stand for goes
+// to zero
+
+constexpr double SMALLEST_COSINE = 1.0e-6;
+
+// The area of a bond is at least and at most so many times that in the interior, where K = V kappa I
+
+constexpr double SMALLEST_AREA = 0.2, LARGEST_AREA = 5.0;
+
+template <int D> double least_of_shape(const SquareMatrix<D> &inverse, double volume, double kappa)
+{
+  Eigen::SelfAdjointEigenSolver<SquareMatrix<D>> eigen;
+  eigen.computeDirect(inverse, Eigen::EigenvaluesOnly);
+  const double largest = eigen.eigenvalues()[D - 1];
+  return largest > 0.0 ? 1.0 / (largest * volume * kappa) : 0.0;
+}
+
+/// direction of the largest principal stress; compiled once: the same bits at both ends of a bond
+template <int D> [[gnu::noinline]] Column<D> pulled_direction(const double *stress)
+{
+  SquareMatrix<D> s;
+  for (int a = 0, k = D; a < D; a++) {
+    s(a, a) = stress[a];
+    for (int b = a + 1; b < D; b++) s(a, b) = s(b, a) = stress[k++];
+  }
+  const Eigen::SelfAdjointEigenSolver<SquareMatrix<D>> eigen(s);
+  return eigen.eigenvectors().col(D - 1);
+}
+
+}    // namespace
+
+/* ---------------------------------------------------------------------- */
+
+template <int D>
+void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &near)
+{
+  using O = OpenRow<D>;
+  using R = Rows<D>;
+  const auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
+  make_rows(O::WIDTH);
+  near_column = O::NEAR;
+  candidate_column = O::CANDIDATE;
+  kinematic = s.kinematic;
+  heated = s.on.thermal == ThermalStrain::BOND;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *const own = s.slices.own.data() +
+        (size_t) (i / TMSPH::WIDTH) * CONSTANTS<D> * TMSPH::WIDTH + i % TMSPH::WIDTH;
+    const auto constant = [&](int n) { return own[TMSPH::WIDTH * (SYMMETRIC<D> + n)]; };
+    double *const r = rows[i];
+    std::copy_n(s.kinematic + (size_t) i * R::KINEMATIC + R::U, D, r + O::U);
+    std::copy_n(s.gradient + (size_t) i * D * D, D * D, r + O::H);
+    r[O::CHI] = constant(3);
+    r[O::MODULUS] = constant(1) + 2.0 * constant(2);
+    r[O::NEAR] = near[i];
+    r[O::LEAST] = 0.0;    // no openings
+  }
+  for (size_t n = 0; n < open.size(); n++) {
+    const int i = open[n];
+    double *const r = rows[i];
+    store<D>(fits[n].rotation, r + O::R);
+    store<D>(fits[n].B, r + O::B);
+    r[O::LEAST] = std::max(least_of_shape<D>(fits[n].shape_inverse, fits[n].volume,
+                                             bonds.interior_kappa()), 1.0e-300);
+    find_candidate<D>(i, fits[n], s.on.law);
+  }
+  ghosts.send(rows, 0, O::WIDTH);
+}
+
+/* ----------------------------------------------------------------------
+   Of the fully open bonds of a particle the one that is open most may leave the fit, if it is
+   that of its partner too: then no decision depends on another one of the same step. What its
+   leaving does to the energy is tried here, each end for itself.
+------------------------------------------------------------------------- */
+
+template <int D>
+void TMSPHOpenings::find_candidate(int i, const OpenFit<D> &fit, const ElasticLaw &elastic_law)
+{
+  using O = OpenRow<D>;
+  double *const r = rows[i];
+  r[O::CANDIDATE] = ubuf((tagint) 0).d;
+  r[O::RISE] = HUGE_VAL;
+  int best = -1;
+  double most = 0.0;
+  for (int m = 0; m < values.count(i); m++) {    // by ascending ids: ties go to the lowest
+    const OpenBond &b = bond(i, m);
+    if (b.patience > 0.0 || b.opening.now < FULLY * b.opening.end) continue;
+    const double opened = b.opening.now / b.opening.end;
+    if (opened <= most) continue;
+    most = opened;
+    best = values.place(i, m);
+  }
+  if (best < 0) return;
+  r[O::CANDIDATE] = ubuf(bonds.partner_tag(i, best)).d;
+  OpenFit<D> without = fit;
+  SquareMatrix<D> K = SquareMatrix<D>::Zero();
+  auto &all = without.bonds;
+  all.erase(std::remove_if(all.begin(), all.end(), [=](const auto &b) { return b.place == best; }),
+            all.end());
+  for (const auto &b : all) K += b.weight * b.X * b.X.transpose();
+  Eigen::SelfAdjointEigenSolver<SquareMatrix<D>> eigen;
+  eigen.computeDirect(K, Eigen::EigenvaluesOnly);
+  if (!(eigen.eigenvalues()[0] > LEAST_SHAPE * fit.volume * bonds.interior_kappa())) return;
+  without.shape_inverse = K.inverse();
+  std::visit([&without](auto elastic) { without.evaluate(elastic); }, elastic_law);
+  r[O::RISE] = without.energy - fit.energy;
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> double TMSPHOpenings::relative(int i, int j, double *X, double *u) const
+{
+  using R = Rows<D>;
+  using O = OpenRow<D>;
+  double x[3];
+  bonds.reference_vector(i, j, x);
+  const double *const mine = kinematic + (size_t) i * R::KINEMATIC,
+               *const his = kinematic + (size_t) j * R::KINEMATIC;
+  const double young = mine[R::YOUNG] + his[R::YOUNG];
+  const double push = heated ? mine[R::THERMAL] + his[R::THERMAL] : 0.0;
+  double square = 0.0;
+  for (int a = 0; a < D; a++) {
+    X[a] = x[a];
+    u[a] = (young * (rows[j][O::U + a] - rows[i][O::U + a]) - push * x[a]) / (young + push);
+    square += x[a] * x[a];
+  }
+  return std::sqrt(square);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void TMSPHOpenings::add_residual(int i, int j, double *stress) const
+{
+  using O = OpenRow<D>;
+  double X[D], u[D], r[D];
+  const double R = relative<D>(i, j, X, u);
+  const double *const mine = rows[i], *const his = rows[j];
+  const bool lame[2] = {mine[O::CHI] == 0.0, his[O::CHI] == 0.0};
+  if (lame[0] && lame[1]) return;
+  const double part_i = lame[0] ? 0.0 : lame[1] ? 1.0 : 0.5, part_j = 1.0 - part_i;
+  double along = 0.0, square = 0.0;
+  for (int a = 0; a < D; a++) {
+    r[a] = u[a];
+    for (int b = 0; b < D; b++)
+      r[a] -= (part_i * mine[O::H + D * a + b] + part_j * his[O::H + D * a + b]) * X[b];
+    along += r[a] * X[a];
+    square += r[a] * r[a];
+  }
+  if (!(along > 0.0)) return;
+  const double scale = 0.5 * (mine[O::CHI] + his[O::CHI]) * bonds.interior_kappa() /
+      (R * std::sqrt(square));
+  for (int a = 0, n = D; a < D; a++) {
+    stress[a] += scale * r[a] * r[a];
+    for (int b = a + 1; b < D; b++) stress[n++] += scale * r[a] * r[b];
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D>
+void TMSPHOpenings::begin(int i, int k, int j, const double *stress, double strength,
+                          double crack_energy)
+{
+  using O = OpenRow<D>;
+  const Column<D> n = pulled_direction<D>(stress);
+  const auto back = [&](int p) {    // what of the body is seen in the material
+    const double *const r = rows[p];
+    const SquareMatrix<D> R = r[O::LEAST] > 0.0
+        ? row_major<D>(r + O::R)
+        : Polar<D>(SquareMatrix<D>::Identity() + row_major<D>(r + O::H)).rotation;
+    return Column<D>(R.transpose() * n);
+  };
+  const Column<D> one = back(i), other = back(j), N = (one + other).normalized();
+  double X[3], along = 0.0, square = 0.0;
+  bonds.reference_vector(i, j, X);
+  for (int a = 0; a < D; a++) {
+    along += N[a] * X[a];
+    square += X[a] * X[a];
+  }
+  if (!(std::fabs(along) > SMALLEST_COSINE * std::sqrt(square))) return;
+  OpenBond b;
+  b.opening.strength = strength;
+  b.opening.end = std::visit(
+      [&](auto one) { return crack_energy / (decltype(one)::area(1.0) * strength); }, law);
+  for (int a = 0; a < D; a++) b.normal[a] = along > 0.0 ? N[a] : -N[a];
+  std::copy_n(reinterpret_cast<double *>(&b), OPEN_BOND_SIZE, values.insert(i, k, atom->nmax));
+}
+
+/* ----------------------------------------------------------------------
+   A = W N.(V_i K_i^-1 + V_j K_j^-1) X with the shapes of before anything opened
+------------------------------------------------------------------------- */
+
+template <int D> void TMSPHOpenings::complete(const TMSPHBondState &s)
+{
+  using O = OpenRow<D>;
+  if (!shapes.carried()) {
+    shapes.start(atom->nmax);
+    for (int i = 0; i < atom->nlocal; i++)
+      for (int n = 0; n < SYMMETRIC<D>; n++)
+        shapes[i][n] = s.slices.own[(size_t) (i / TMSPH::WIDTH) * CONSTANTS<D> * TMSPH::WIDTH +
+                                    TMSPH::WIDTH * n + i % TMSPH::WIDTH];
+  }
+  list_open();
+  for (const int i : open)
+    for (int a = 0, n = 0; a < D; a++)
+      for (int b = a; b < D; b++)
+        rows[i][O::R + D * a + b] = rows[i][O::R + D * b + a] = atom->vfrac[i] * shapes[i][n++];
+  ghosts.send(rows, O::R, D * D);
+  for (const int i : open)
+    for (int m = 0; m < values.count(i); m++) {
+      OpenBond &one = bond(i, m);
+      if (one.area > 0.0) continue;
+      const int j = bonds.partner_index(i, values.place(i, m));
+      const double W = bonds.weight(i, j);
+      double X[3], across = 0.0, along = 0.0;
+      bonds.reference_vector(i, j, X);
+      for (int a = 0; a < D; a++) {
+        along += one.normal[a] * X[a];
+        for (int b = 0; b < D; b++)
+          across += one.normal[a] * (rows[i][O::R + D * a + b] + rows[j][O::R + D * a + b]) * X[b];
+      }
+      const double inside = 2.0 * W * along / bonds.interior_kappa();
+      one.area = std::clamp(W * std::fabs(across), SMALLEST_AREA * inside, LARGEST_AREA * inside);
+    }
+}
+
+/* ----------------------------------------------------------------------
+   All openings follow at once, again and again, until the tractions are on their laws.
+------------------------------------------------------------------------- */
+
+template <int D>
+void TMSPHOpenings::update(TMSPHBondState s, const std::vector<char> &near)
+{
+  s.stress = nullptr;    // ghosts have that of before
+  for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+    if (sweep) exchange<D>(s, near);
+    const double mine = update_once<D>(sweep == 0);
+    correct<D>(s);
+    double largest;
+    MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+    if (largest <= CLOSE_TO_LAW) break;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   @param decides which bonds leave the fit next
+   @return        the largest change of a traction over the strength
+------------------------------------------------------------------------- */
+
+template <int D> double TMSPHOpenings::update_once(bool decides)
+{
+  using O = OpenRow<D>;
+  double largest = 0.0;
+  for (const int i : open)
+    for (int m = 0; m < values.count(i); m++) {
+      OpenBond &b = bond(i, m);
+      const int j = bonds.partner_index(i, values.place(i, m));
+      const double W = bonds.weight(i, j), c = b.opening.now;
+      double X[D], u[D], minus[3][D];
+      relative<D>(i, j, X, u);
+      for (int a = 0; a < D; a++) {
+        minus[0][a] = -X[a];
+        minus[1][a] = -u[a];
+        minus[2][a] = -b.normal[a];
+      }
+      const double *const mine = rows[i], *const his = rows[j];
+      const double pull =
+          end_traction<D>(mine + O::R, mine + O::B, mine[O::CHI], X, u, b.normal, W, c) +
+          end_traction<D>(his + O::R, his + O::B, his[O::CHI], minus[0], minus[1], minus[2], W, c);
+      const double stiffness = opening_stiffness(
+          W, 0.5 * (mine[O::MODULUS] + his[O::MODULUS]), bonds.interior_kappa(),
+          std::min(1.0, std::min(mine[O::LEAST], his[O::LEAST])),
+          0.5 * (mine[O::CHI] + his[O::CHI]), b.area);
+      std::visit(
+          [&](auto one) {
+            const auto total = [&] {
+              return stored_energy(one, b.opening) + dissipated_energy(one, b.opening);
+            };
+            rise -= 0.5 * b.area * total();
+            TMSPH::update(one, b.opening, pull / b.area, stiffness);
+            rise += 0.5 * b.area * total();
+          },
+          law);
+      largest = std::max(largest, stiffness * std::fabs(b.opening.now - c) / b.opening.strength);
+      if (decides) decide_leaving(i, j, b);
+    }
+  updated = true;
+  return largest;
+}
+
+/* ----------------------------------------------------------------------
+   both ends see the same candidates and decide alike
+------------------------------------------------------------------------- */
+
+void TMSPHOpenings::decide_leaving(int i, int j, OpenBond &b)
+{
+  const double *const mine = rows[i] + candidate_column, *const his = rows[j] + candidate_column;
+  b.patience = std::max(0.0, b.patience - 1.0);
+  if (ubuf(mine[0]).i != (bigint) atom->tag[j] || ubuf(his[0]).i != (bigint) atom->tag[i]) return;
+  if (mine[1] + his[1] <= 0.0) {
+    b.leaves = 1.0;
+    done[LOST] -= mine[1];
+  } else
+    b.patience = PATIENCE;
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<TMSPHOpenings::Leaving> TMSPHOpenings::take_leaving()
+{
+  std::vector<Leaving> leaving;
+  for (const int i : open)
+    for (int m = values.count(i) - 1; m >= 0; m--)
+      if (bond(i, m).leaves != 0.0) {
+        const OpenBond &b = bond(i, m);
+        leaving.push_back({i, values.place(i, m), b});
+        done[DISSIPATED] += 0.5 * b.area *
+            std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
+        done[AREA] += 0.5 * b.area;
+        values.erase(i, values.place(i, m));
+      }
+  if (!leaving.empty()) list_open();
+  return leaving;
+}
+
+/* ---------------------------------------------------------------------- */
+
+#define INSTANTIATE(D)                                                                           \
+  template void TMSPHOpenings::exchange<D>(const TMSPHBondState &, const std::vector<char> &);   \
+  template void TMSPHOpenings::add_residual<D>(int, int, double *) const;                        \
+  template void TMSPHOpenings::begin<D>(int, int, int, const double *, double, double);          \
+  template void TMSPHOpenings::complete<D>(const TMSPHBondState &);                              \
+  template void TMSPHOpenings::update<D>(TMSPHBondState, const std::vector<char> &);
+
+INSTANTIATE(2)
+INSTANTIATE(3)
