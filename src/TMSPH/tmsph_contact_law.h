@@ -71,7 +71,7 @@ inline std::string contact_laws()
     lattice, Wendland kernel, horizon 3.015 dx and hourglass 0.1, so that a compressed block becomes
     as stiff as the continuum with refinement. */
 constexpr double HALF_CELL = 1.135;
-/// stiffness along the surface/across it
+/// stiffness along the surface/across it: G/E' = (1 - nu)/2 with nu = 0.2
 constexpr double TANGENTIAL = 0.4;
 
 /** One side of it; see half_cells(). */
@@ -85,7 +85,7 @@ struct HalfCell {
     @param count  1 against a rigid wall, or 2 */
 inline double half_cells(const HalfCell *side, int count, double factor, double penetration)
 {
-  constexpr double LARGEST_STRAIN = 0.25;
+  constexpr double LARGEST_STRAIN = 0.25;    // chosen; beyond 0.42 the stress would fall
   double soft = 0.0, strain = 0.0;
   for (int k = 0; k < count; k++) soft += side[k].spacing / (HALF_CELL * side[k].modulus);
   const double stiffness = factor / soft;

@@ -13,7 +13,7 @@
 #ifndef LMP_TMSPH_CONTACT_PAIR_H
 #define LMP_TMSPH_CONTACT_PAIR_H
 
-#include "tmsph_contact_law.h"
+#include "tmsph_contact_hold.h"
 #include "tmsph_elastic.h"
 #include "tmsph_kernel.h"
 
@@ -212,31 +212,31 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
     @param heat  energy that friction took, added
     @return the normal force */
 template <int D>
-inline double contact_force(const ContactLaw &law, const ContactPair &pair, const ContactState<D> &s,
-                            double frequency, double dt, double *force, ContactPast &past,
-                            double &heat)
+inline double contact_force(const ContactLaw &law, const ContactPair &pair,
+                            const ContactState<D> &s, double frequency, double dt, double *force,
+                            ContactPast &past, double &heat)
 {
   const double q = law.ahead(dt) * law.ahead(dt) * frequency;
-  double normal = implicit_normal(s.stiffness, q, s.predicted);
-  if (normal > 0.0) normal = law.normal(normal, s.stiffness, frequency, s.closing);
-  double friction[D - 1], excess[D - 1];
+  double normal;
+  hold_across(law, s.stiffness, q, frequency, 1, 0.0, &s.predicted, &s.closing, &normal);
   const double ratio = s.shear_ratio, limit = s.central ? 0.0 : pair.friction * normal;
-  implicit_friction<D - 1>(ratio * s.stiffness, ratio * q, limit, s.slip, friction, excess);
+  const Friction<D - 1> friction =
+      hold_along<D - 1>(ratio * s.stiffness, ratio * q, limit, s.slip);
+  heat += friction.work;
   for (int a = 0; a < D; a++) force[a] = normal * s.normal[a];
   for (int k = 0; k < D - 1; k++) {
-    for (int a = 0; a < D; a++) force[a] -= friction[k] * s.tangent[k][a];
-    heat += friction[k] * excess[k];
-    past.moved[k] += excess[k] / s.stretch;
+    for (int a = 0; a < D; a++) force[a] -= friction.force[k] * s.tangent[k][a];
+    past.moved[k] += friction.excess[k] / s.stretch;
   }
   return normal;
 }
 
-/** Forces f and -f at two points a vector r apart turn the pair by r x f, which the bonds of the ends
-    have to balance, by c = -r x f. The normals of the ends are carried by their gradients, n ~ F^-T N:
-    they turn where n . (dF F^-1) t of a direction t along the surface is not 0, and not when the
-    surface is sheared. So what does work on all that the law measures, and on nothing else, are
-    moments sum f x of the forces in the bonds along n: n (n x c), and for the part of the couple about n,
-    which turns the tangents, skew ones.
+/** Forces f and -f at two points a vector r apart turn the pair by r x f, which the bonds of the
+    ends have to balance, by c = -r x f. The normals of the ends are carried by their gradients,
+    n ~ F^-T N: they turn where n . (dF F^-1) t of a direction t along the surface is not 0, and
+    not when the surface is sheared. So what does work on all that the law measures, and on nothing
+    else, are moments sum f x of the forces in the bonds along n: n (n x c), and for the part of
+    the couple about n, which turns the tangents, skew ones.
     @param share of this end
     @param tilt  D x D, row-major: the moments are added */
 template <int D>
