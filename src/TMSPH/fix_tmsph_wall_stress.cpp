@@ -8,7 +8,6 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "pair_tmsph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,8 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// particles whose heights above the wall differ by less than this many spacings are of one row
+// particles whose heights above the wall differ by less than this many spacings are of one row;
+// chosen, rows of square and hexagonal lattices along a wall are 0.5 and more apart
 
 static constexpr double ROW = 0.25;
 
@@ -27,7 +27,7 @@ static constexpr double ROW = 0.25;
 
 double FixTMSPHWall::half_row(int i, const Point &normal) const
 {
-  const FixTMSPHBond &bonds = *pair->bonds();
+  const FixTMSPHBond &bonds = *scene.pair->bonds();
   const double spacing = bonds.spacing(i);
   double next = spacing;
   for (const auto &bond : bonds.family(i, FixTMSPHBond::WHOLE)) {
@@ -39,51 +39,57 @@ double FixTMSPHWall::half_row(int i, const Point &normal) const
   return 0.5 * next;
 }
 
+/* ---------------------------------------------------------------------- */
+
+void FixTMSPHWall::add_shares(std::vector<Share> &shares)
+{
+  for (int n = 0; n < memories.count(); n++) {
+    const int i = atom->map(memories.id(n));
+    if (i >= 0 && i < atom->nlocal) shares.push_back(share_of(i, memories[n]));
+  }
+}
+
 /* ----------------------------------------------------------------------
    Force per area times half a row, in its full thickness V: as pressure p along
    the normal, p nu/(1 - nu) across it, since the row moves along with its neighbors, and as shear.
    In a corner the force is the sum of two along the normals, and what is left is friction of both.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHWall::add_shares(std::vector<Share> &shares)
+TMSPHPresses::Share FixTMSPHWall::share_of(int i, const TMSPHWallMemory &memory) const
 {
-  const int dimension = domain->dimension;
-  for (const auto &[id, memory] : memories) {
-    const int i = atom->map(id);
-    if (i < 0 || i >= atom->nlocal) continue;
-    const double *f = memory.force;
-    WallTouch place[2];
-    const int side = both_sides ? memory.side : 1;
-    const int places =
-        shape->touches(motion.to_body(position_of(i)), REACH * gap_of(i), side, place);
-    double along[2] = {}, normal[2] = {}, cosine = 0.0;
-    for (int p = 0; p < places; p++) {
-      place[p].normal = motion.turned(place[p].normal);
-      for (int a = 0; a < 3; a++) along[p] += f[a] * place[p].normal[a];
-    }
-    if (places == 2)
-      for (int a = 0; a < 3; a++) cosine += place[0].normal[a] * place[1].normal[a];
-    for (int p = 0; p < places; p++)
-      normal[p] = std::max(0.0, (along[p] - cosine * along[1 - p]) / (1.0 - cosine * cosine));
-    Point rubbing = {f[0], f[1], f[2]};
-    for (int p = 0; p < places; p++)
-      for (int a = 0; a < 3; a++) rubbing[a] -= normal[p] * place[p].normal[a];
-
-    Share share = {i, true, {}};
-    const double ratio = pair->lateral_ratio(i);
-    for (int p = 0; p < places; p++) {
-      const Point &n = place[p].normal;
-      const double scale = -half_row(i, n) / atom->vfrac[i];
-      const auto component = [&](int a, int b) {
-        const double one = a == b ? 1.0 : 0.0;
-        return scale * (normal[p] * (n[a] * n[b] + ratio * (one - n[a] * n[b])) +
-                        (rubbing[a] * n[b] + rubbing[b] * n[a]) / places);
-      };
-      for (int a = 0, k = 3; a < dimension; a++) {
-        share.stress[a] += component(a, a);
-        for (int b = a + 1; b < dimension; b++) share.stress[k++] += component(a, b);
-      }
-    }
-    shares.push_back(share);
+  const double *f = memory.force;
+  WallTouch place[2];
+  const int side = scene.both_sides ? memory.side : 1;
+  const int places =
+      scene.shape->touches(scene.motion.to_body(candidates.position_of(i)),
+                           TMSPHWallScene::REACH * scene.gap(i), side, place);
+  double along[2] = {}, normal[2] = {}, cosine = 0.0;
+  for (int p = 0; p < places; p++) {
+    place[p].normal = scene.motion.turned(place[p].normal);
+    for (int a = 0; a < 3; a++) along[p] += f[a] * place[p].normal[a];
   }
+  if (places == 2)
+    for (int a = 0; a < 3; a++) cosine += place[0].normal[a] * place[1].normal[a];
+  for (int p = 0; p < places; p++)
+    normal[p] = std::max(0.0, (along[p] - cosine * along[1 - p]) / (1.0 - cosine * cosine));
+  Point rubbing = {f[0], f[1], f[2]};
+  for (int p = 0; p < places; p++)
+    for (int a = 0; a < 3; a++) rubbing[a] -= normal[p] * place[p].normal[a];
+
+  Share share = {i, true, {}};
+  const double ratio = scene.pair->lateral_ratio(i);
+  for (int p = 0; p < places; p++) {
+    const Point &n = place[p].normal;
+    const double scale = -half_row(i, n) / atom->vfrac[i];
+    const auto component = [&](int a, int b) {
+      const double one = a == b ? 1.0 : 0.0;
+      return scale * (normal[p] * (n[a] * n[b] + ratio * (one - n[a] * n[b])) +
+                      (rubbing[a] * n[b] + rubbing[b] * n[a]) / places);
+    };
+    for (int a = 0, k = 3; a < domain->dimension; a++) {
+      share.stress[a] += component(a, a);
+      for (int b = a + 1; b < domain->dimension; b++) share.stress[k++] += component(a, b);
+    }
+  }
+  return share;
 }

@@ -61,12 +61,12 @@ namespace TMSPHLastForce {
     return TMSPH::fingerprint(x, lmp->atom->v[i]);
   }
 
-  /// notes positions and velocities; Memories: map from ids to structs with a "stamp"
+  /// notes positions and velocities; Memories: TMSPHMemories of structs with a "stamp"
   template <class Memories> void stamp(const LAMMPS *lmp, Memories &memories)
   {
     for (int i = 0; i < lmp->atom->nlocal; i++) {
-      const auto found = memories.find(lmp->atom->tag[i]);
-      if (found != memories.end()) found->second.stamp = fingerprint(lmp, i);
+      auto *memory = memories.find(lmp->atom->tag[i]);
+      if (memory) memory->stamp = fingerprint(lmp, i);
     }
   }
 
@@ -75,9 +75,8 @@ namespace TMSPHLastForce {
   {
     int same = 1, all_same;
     for (int i = 0; i < lmp->atom->nlocal; i++) {
-      const auto found = memories.find(lmp->atom->tag[i]);
-      if (found == memories.end()) continue;
-      if (found->second.stamp != fingerprint(lmp, i)) same = 0;
+      const auto *memory = memories.find(lmp->atom->tag[i]);
+      if (memory && memory->stamp != fingerprint(lmp, i)) same = 0;
     }
     MPI_Allreduce(&same, &all_same, 1, MPI_INT, MPI_MIN, lmp->world);
     return all_same;

@@ -4,11 +4,10 @@
    Does a wall stand where it makes sense when it starts: a warning at most, with the remedy.
 ------------------------------------------------------------------------- */
 
-#include "fix_tmsph_wall.h"
+#include "tmsph_wall_check.h"
 
 #include "atom.h"
 #include "domain.h"
-#include "pair_tmsph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,37 +17,36 @@ using namespace TMSPH;
 
 static constexpr double ROUND_OFF = 1.0e-6;    // of half a cell
 
-/* ----------------------------------------------------------------------
-   the first of: it stands in the body, behind it, or overlaps its surface
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void FixTMSPHWall::check_place() const
+void TMSPHWallCheck::warn(const TMSPHWallPlaces &places) const
 {
   const char *edge = domain->dimension == 2 ? "(volume/thickness)^(1/2)" : "volume^(1/3)";
   bigint cut;
   const double depth = depth_in_body(cut);
   if (depth > 0.0) {
-    pair->warn_once(fmt::format("Wall {} stands {:.3g} deep in the body and crosses {} bonds: put "
-                                "it outside, half a cell, half of {}, from the surface particles",
-                                id, depth, cut, edge));
+    scene.pair->warn_once(
+        fmt::format("Wall {} stands {:.3g} deep in the body and crosses {} bonds: put it outside, "
+                    "half a cell, half of {}, from the surface particles",
+                    scene.id, depth, cut, edge));
     return;
   }
-  if (!both_sides && all_behind()) {
-    pair->warn_once(fmt::format("Wall {} has all particles behind it: {}, or use 'side both'", id,
-                                domain->dimension == 2
-                                    ? "what it holds belongs to its left, so swap its ends"
-                                    : "turn its normal to the particles"));
+  if (!scene.both_sides && all_behind()) {
+    scene.pair->warn_once(
+        fmt::format("Wall {} has all particles behind it: {}, or use 'side both'", scene.id,
+                    domain->dimension == 2
+                        ? "what it holds belongs to its left, so swap its ends"
+                        : "turn its normal to the particles"));
     return;
   }
-  double deepest = 0.0, all;
-  for (const Touching &t : touching)
-    for (int p = 0; p < t.places; p++)
-      if (t.penetration[p] > ROUND_OFF * gap_of(t.i)) deepest = std::max(deepest, t.penetration[p]);
+  const double deepest = places.overlap(ROUND_OFF);
+  double all;
   MPI_Allreduce(&deepest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   if (all > 0.0)
-    pair->warn_once(fmt::format("Particles overlap wall {} from the start, by up to {:.3g}, and "
-                                "are pushed out: half a cell, half of {}, belongs between a "
-                                "surface particle and a wall", id, all, edge));
+    scene.pair->warn_once(
+        fmt::format("Particles overlap wall {} from the start, by up to {:.3g}, and are pushed "
+                    "out: half a cell, half of {}, belongs between a surface particle and a wall",
+                    scene.id, all, edge));
 }
 
 /* ----------------------------------------------------------------------
@@ -58,27 +56,27 @@ void FixTMSPHWall::check_place() const
    @return largest distance of the nearer end of such a bond, plus half a cell; 0: none
 ------------------------------------------------------------------------- */
 
-double FixTMSPHWall::depth_in_body(bigint &bonds_cut) const
+double TMSPHWallCheck::depth_in_body(bigint &bonds_cut) const
 {
-  const auto *bonds = pair->bonds();
-  const double horizon = pair->horizon();
+  const auto *bonds = scene.pair->bonds();
+  const double horizon = scene.pair->horizon();
   double mine = 0.0, depth;
   bigint crossing = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const Point here = position_of(i), from = motion.to_body(here);
-    const double distance = shape->distance(from);
+    if (!(atom->mask[i] & scene.groupbit)) continue;
+    const Point here = candidates.position_of(i), from = scene.motion.to_body(here);
+    const double distance = scene.shape->distance(from);
     if (distance > horizon) continue;
     for (const auto &bond : bonds->family(i, FixTMSPHBond::WHOLE)) {
       const int j = bond.j;
-      if (!(atom->mask[j] & groupbit)) continue;
+      if (!(atom->mask[j] & scene.groupbit)) continue;
       Point there = here;
       for (int a = 0; a < domain->dimension; a++) there[a] += atom->x[j][a] - atom->x[i][a];
-      const Point to = motion.to_body(there);
+      const Point to = scene.motion.to_body(there);
       if (!cuts(from, to)) continue;
       crossing++;
-      const double nearer = std::min(distance, shape->distance(to));
-      if (nearer > (1.0 + ROUND_OFF) * gap_of(i)) mine = std::max(mine, nearer + gap_of(i));
+      const double nearer = std::min(distance, scene.shape->distance(to));
+      if (nearer > (1.0 + ROUND_OFF) * scene.gap(i)) mine = std::max(mine, nearer + scene.gap(i));
     }
   }
   MPI_Allreduce(&mine, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -91,29 +89,32 @@ double FixTMSPHWall::depth_in_body(bigint &bonds_cut) const
    Bisection for where the side changes: is that on the wall, or beyond its end?
 ------------------------------------------------------------------------- */
 
-bool FixTMSPHWall::cuts(Point from, Point to) const
+bool TMSPHWallCheck::cuts(Point from, Point to) const
 {
   static constexpr int HALVINGS = 20;
-  const int side = shape->side_of(from);
-  if (side == shape->side_of(to)) return false;
+  const int side = scene.shape->side_of(from);
+  if (side == scene.shape->side_of(to)) return false;
   double length = 0.0;
   for (int a = 0; a < 3; a++) length = std::max(length, std::fabs(to[a] - from[a]));
   Point middle;
   for (int k = 0; k < HALVINGS; k++) {
     for (int a = 0; a < 3; a++) middle[a] = 0.5 * (from[a] + to[a]);
-    (shape->side_of(middle) == side ? from : to) = middle;
+    (scene.shape->side_of(middle) == side ? from : to) = middle;
   }
   WallTouch found[2];
-  return shape->touches(middle, 1.0e-3 * length, 1, found) > 0;
+  return scene.shape->touches(middle, 1.0e-3 * length, 1, found) > 0;
 }
 
 /* ---------------------------------------------------------------------- */
 
-bool FixTMSPHWall::all_behind() const
+bool TMSPHWallCheck::all_behind() const
 {
   bigint mine[2] = {}, all[2];    // behind, in front
   for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) mine[shape->side_of(motion.to_body(position_of(i))) > 0]++;
+    if (atom->mask[i] & scene.groupbit) {
+      const Point body = scene.motion.to_body(candidates.position_of(i));
+      mine[scene.shape->side_of(body) > 0]++;
+    }
   MPI_Allreduce(mine, all, 2, MPI_LMP_BIGINT, MPI_SUM, world);
   return all[0] > 0 && all[1] == 0;
 }

@@ -1,0 +1,214 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Which pairs are in contact.
+------------------------------------------------------------------------- */
+
+#include "tmsph_contact_list.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "tmsph_contact_outlines.h"
+#include "tmsph_contact_rows.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+using Record = TMSPHContactMemory::Record;
+using Met = TMSPHContactMemory::Met;
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHContactList::find_refits(const std::vector<Pairing> &before)
+{
+  const auto order = [](const Pairing &a, const Pairing &b) {
+    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+  };
+  std::vector<Pairing> sorted(before);
+  std::sort(sorted.begin(), sorted.end(), order);
+  for (size_t n = 0; n < pairings.size() && !sorted.empty(); n++) {
+    const Pairing &p = pairings[n];
+    const auto old = std::lower_bound(sorted.begin(), sorted.end(), p, order);
+    if (p.meeting != Meeting::FACES || old == sorted.end() || order(p, *old)) continue;
+    const ContactPair &was = old->pair, &is = p.pair;
+    if (was.distance != is.distance ||
+        !std::equal(is.normal_low, is.normal_low + domain->dimension, was.normal_low))
+      refits.push_back({(int) n, was});
+  }
+}
+
+/* ----------------------------------------------------------------------
+   the pairs of the family of local particle i: what is remembered of those that are
+   still there is kept
+   @return local or ghost partner of each
+------------------------------------------------------------------------- */
+
+std::vector<int> TMSPHContactList::list_records(int i, const TMSPHContactMemory &before,
+                                                std::vector<Record> &records) const
+{
+  const FixTMSPHBond &bonds = *scene.bonds;
+  std::vector<int> partners;
+  for (int k = 0; k < bonds.count(i); k++) {
+    if (!scene.counts(bonds.bond_state(i, k))) continue;
+    const tagint partner = bonds.partner_tag(i, k);
+    const int j = bonds.partner_index(i, k);
+    if (j != i && !(atom->mask[j] & scene.groupbit)) continue;
+    const Record *known = before.record_of(partner);
+    records.push_back(known ? *known : Record{partner, {}, false});
+    records.back().parted = records.back().parted || j == i;
+    partners.push_back(j);
+  }
+  return partners;
+}
+
+/* ----------------------------------------------------------------------
+   in the order of the partners' ids
+------------------------------------------------------------------------- */
+
+void TMSPHContactList::list_ends(int i, const TMSPHContactMemory &memory,
+                                 const std::vector<int> &partners)
+{
+  const int first = ends.size();
+  for (int n = 0; n < (int) partners.size(); n++)
+    if (!memory.records[n].parted)
+      ends.push_back({partners[n], -1, atom->tag[i] < memory.records[n].partner, false, n});
+  for (int n = 0; n < (int) memory.met.size(); n++) {
+    const tagint partner = memory.met[n].partner;
+    const int j = domain->closest_image(i, atom->map(partner));
+    if (j >= 0) ends.push_back({j, -1, atom->tag[i] < partner, true, n});
+  }
+  std::sort(ends.begin() + first, ends.end(), [this](const End &a, const End &b) {
+    return atom->tag[a.j] < atom->tag[b.j];
+  });
+}
+
+/* ----------------------------------------------------------------------
+   most doubles that a memory takes in steps to come, as long as no pairs are added
+------------------------------------------------------------------------- */
+
+int TMSPHContactList::room(const TMSPHContactMemory &m) const
+{
+  const int pairs = m.records.size() + m.met.size(), pressed = m.pressed.size();
+  const int most = pairs + (scene.segments ? SegmentRow::MOST_PRESSED : 0);
+  return TMSPHContactMemory::size(m.records.size(), m.met.size(),
+                                  scene.segments ? SegmentRow::PLACES : 0,
+                                  std::max(scene.pair->keeps_touches() ? most : 0, pressed));
+}
+
+/* ----------------------------------------------------------------------
+   particles with pairs or at outlines, and their ends
+   @return most doubles of one
+------------------------------------------------------------------------- */
+
+int TMSPHContactList::list_members(const TMSPHContactOutlines *outlines)
+{
+  write_back();
+  TMSPHContactMemories kept;
+  members.clear();
+  ends.clear();
+  int largest = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & scene.groupbit)) continue;
+    TMSPHContactMemory before;
+    if (TMSPHContactMemory *found = memories.find(atom->tag[i])) before = std::move(*found);
+    std::vector<Record> records;
+    const std::vector<int> partners = list_records(i, before, records);
+    const auto left_group = [&](const Met &met) {    // whose own memory ends with that
+      const int j = domain->closest_image(i, atom->map(met.partner));
+      return j >= 0 && !(atom->mask[j] & scene.groupbit);
+    };
+    before.met.erase(std::remove_if(before.met.begin(), before.met.end(), left_group),
+                     before.met.end());
+    if (records.empty() && before.met.empty() && !(outlines && outlines->faces(i, before.apart)))
+      continue;
+    TMSPHContactMemory &memory = kept.of(atom->tag[i]);
+    memory = std::move(before);
+    memory.records = std::move(records);
+    const int first = ends.size();
+    list_ends(i, memory, partners);
+    members.push_back({i, kept.count() - 1, first, (int) ends.size()});
+    largest = std::max(largest, room(memory));
+  }
+  std::swap(memories, kept);
+  return largest;
+}
+
+/* ---------------------------------------------------------------------- */
+
+ContactPast &TMSPHContactList::past(const Member &m, const End &e)
+{
+  TMSPHContactMemory &own = memory(m);
+  return e.later ? own.met[e.place].past : own.records[e.place].past;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHContactList::add_pairing(const Member &m, End &e)
+{
+  const int state = e.later ? -1 : scene.bonds->state_with(m.i, atom->tag[e.j]);
+  const Meeting meeting = e.later           ? Meeting::LATER
+      : state == FixTMSPHBond::UNBONDED ? Meeting::BODIES
+                                        : Meeting::FACES;
+  e.pairing = pairings.size();
+  pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, meeting, false, past(m, e), {}});
+  if (e.later)
+    static_cast<PairGeometry &>(pairings.back().pair) = memory(m).met[e.place].geometry;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int TMSPHContactList::make(const TMSPHContactOutlines *outlines)
+{
+  const int largest = list_members(outlines);
+
+  // the higher end, if both are local, comes back to the pair of the lower one
+
+  const tagint *tag = atom->tag;
+  std::vector<int> member_of(atom->nlocal, -1);
+  for (size_t n = 0; n < members.size(); n++) member_of[members[n].i] = n;
+  pairings.clear();
+  refits.clear();
+  for (const Member &m : members)
+    for (int n = m.first; n < m.last; n++)
+      if (ends[n].low || ends[n].j >= atom->nlocal) add_pairing(m, ends[n]);
+  for (const Member &m : members)
+    for (int n = m.first; n < m.last; n++) {
+      if (ends[n].pairing >= 0) continue;
+      const Member &other = members[member_of[ends[n].j]];
+      const auto end = std::lower_bound(
+          ends.begin() + other.first, ends.begin() + other.last, tag[m.i],
+          [tag](const End &e, tagint id) { return tag[e.j] < id; });
+      ends[n].pairing = end->pairing;
+      pairings[end->pairing].both_local = true;
+    }
+
+  // restarts are written with one width for all processors
+
+  int mine[2] = {largest, !pairings.empty()};
+  int all[2];
+  MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
+  anywhere = all[1];
+  return all[0];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHContactList::write_back()
+{
+  if (!ahead) return;
+  ahead = false;
+  for (const Member &m : members)
+    for (int n = m.first; n < m.last; n++) past(m, ends[n]) = pairings[ends[n].pairing].now;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHContactList::bytes() const
+{
+  return pairings.capacity() * sizeof(Pairing) +
+      ends.capacity() * (sizeof(End) + sizeof(Record)) +
+      members.capacity() * (sizeof(Member) + sizeof(TMSPHContactMemory));
+}

@@ -1,0 +1,222 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   What moves a wall.
+------------------------------------------------------------------------- */
+
+#include "tmsph_wall_drive.h"
+
+#include "domain.h"
+#include "error.h"
+#include "input.h"
+#include "modify.h"
+#include "update.h"
+#include "variable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace TMSPH;
+
+/* ---------------------------------------------------------------------- */
+
+static double dot(const Point &a, const Point &b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* ----------------------------------------------------------------------
+   A sum that does not depend on how the terms are spread over processors: they
+   are rounded to whole numbers of a quantum below 1e-12 of the largest.
+------------------------------------------------------------------------- */
+
+static void sum_in_any_order(const std::vector<Point> &terms, Point &sum, MPI_Comm world)
+{
+  double largest = 0.0, largest_of_all;
+  for (const Point &t : terms)
+    for (double value : t) largest = std::max(largest, std::fabs(value));
+  MPI_Allreduce(&largest, &largest_of_all, 1, MPI_DOUBLE, MPI_MAX, world);
+  const double quantum = std::ldexp(std::max(largest_of_all, 1.0e-280), -40);
+  int64_t counted[3] = {}, all[3];
+  for (const Point &t : terms)
+    for (int a = 0; a < 3; a++) counted[a] += std::llround(t[a] / quantum);
+  MPI_Allreduce(counted, all, 3, MPI_LL, MPI_SUM, world);
+  for (int a = 0; a < 3; a++) sum[a] = all[a] * quantum;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int TMSPHWallDrive::words(const std::string &word) const
+{
+  const int d = domain->dimension;
+  if (word == "velocity") return 1 + d;
+  if (word == "rotation") return d == 2 ? 4 : 8;
+  return word == "load" ? 3 + d : 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHWallDrive::parse(const std::string &word, char **value)
+{
+  if (word == "rotation")
+    parse_rotation(value);
+  else if (word == "load")
+    parse_load(value);
+  else
+    for (int a = 0; a < domain->dimension; a++) velocity[a] = number_or_variable(value[a]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+TMSPHWallDrive::Given TMSPHWallDrive::number_or_variable(const char *word) const
+{
+  Given given;
+  if (utils::strmatch(word, "^v_"))
+    given.variable = word + 2;
+  else
+    given.value = utils::numeric(FLERR, word, false, lmp);
+  return given;
+}
+
+/* ----------------------------------------------------------------------
+   pivot, in 3-D axis, angular velocity
+------------------------------------------------------------------------- */
+
+void TMSPHWallDrive::parse_rotation(char **value)
+{
+  const int d = domain->dimension;
+  const auto number = [&](int k) { return utils::numeric(FLERR, value[k], false, lmp); };
+  RigidMotion &motion = scene.motion;
+  scene.turns = true;
+  for (int a = 0; a < d; a++) motion.pivot[a] = number(a);
+  if (d == 3) {
+    for (int a = 0; a < 3; a++) motion.axis[a] = number(3 + a);
+    const Point &n = motion.axis;
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    if (!(length > 0.0))
+      error->all(FLERR, "The axis of fix tmsph/wall rotation has no length");
+    for (double &component : motion.axis) component /= length;
+  }
+  spin = number_or_variable(value[words("rotation") - 2]);
+}
+
+/* ----------------------------------------------------------------------
+   a force or NULL in each direction, mass M
+------------------------------------------------------------------------- */
+
+void TMSPHWallDrive::parse_load(char **value)
+{
+  const int d = domain->dimension;
+  bool any = false;
+  for (int a = 0; a < d; a++) {
+    is_free[a] = strcmp(value[a], "NULL") != 0;
+    any = any || is_free[a];
+    if (is_free[a]) load[a] = number_or_variable(value[a]);
+  }
+  if (!any)
+    error->all(FLERR, "All components of fix tmsph/wall load are NULL: give the force of at "
+                      "least one direction");
+  if (strcmp(value[d], "mass") != 0)
+    error->all(FLERR, "Fix tmsph/wall load needs the mass of the wall after its {} components, "
+                      "not '{}'", d, value[d]);
+  mass = utils::numeric(FLERR, value[d + 1], false, lmp);
+  if (!(mass > 0.0)) error->all(FLERR, "Fix tmsph/wall mass {} must be positive", value[d + 1]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHWallDrive::init()
+{
+  varies = false;
+  for (Given *given : {velocity, velocity + 1, velocity + 2, load, load + 1, load + 2, &spin}) {
+    if (given->variable.empty()) continue;
+    given->index = input->variable->find(given->variable.c_str());
+    if (given->index < 0)
+      error->all(FLERR, "Variable {} of fix tmsph/wall does not exist: define it first",
+                 given->variable);
+    if (!input->variable->equalstyle(given->index))
+      error->all(FLERR, "Variable {} of fix tmsph/wall must be of equal style", given->variable);
+    varies = true;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHWallDrive::value_of(Given &given)
+{
+  if (given.index < 0) return given.value;
+  given.value = input->variable->compute_equal(given.index);
+  if (!std::isfinite(given.value))
+    error->all(FLERR, "Variable {} of fix tmsph/wall {} is {} on step {}", given.variable,
+               scene.id, given.value, update->ntimestep);
+  return given.value;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHWallDrive::evaluate()
+{
+  if (varies) modify->clearstep_compute();
+  for (int a = 0; a < 3; a++) {
+    if (is_free[a])
+      value_of(load[a]);
+    else
+      scene.motion.velocity[a] = value_of(velocity[a]);
+  }
+  scene.motion.spin = value_of(spin);
+  if (varies) modify->addstep_compute(update->ntimestep + 1);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::pair<double, double> TMSPHWallDrive::move(double duration)
+{
+  RigidMotion &motion = scene.motion;
+  const RigidMotion before = motion;
+  evaluate();
+  for (int a = 0; a < 3; a++)
+    motion.shift[a] += duration * (is_free[a] ? motion.velocity[a]
+                                              : 0.5 * (before.velocity[a] + motion.velocity[a]));
+  motion.angle += duration * 0.5 * (before.spin + motion.spin);
+  const Point &v = before.velocity, &w = motion.velocity;
+  return {std::sqrt(std::max(dot(v, v), dot(w, w))),
+          std::max(std::fabs(before.spin), std::fabs(motion.spin))};
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHWallDrive::dragged(const std::vector<Point> &stiffnesses, double dt) const
+{
+  Point sum;
+  sum_in_any_order(stiffnesses, sum, world);
+  return dt * dt * sum[0] / mass;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHWallDrive::push(const std::vector<Point> &forces, double dt)
+{
+  Point sum;
+  sum_in_any_order(forces, sum, world);
+  for (int a = 0; a < 3; a++)
+    if (is_free[a]) scene.motion.velocity[a] += dt * (load[a].value - sum[a]) / mass;
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<double> TMSPHWallDrive::loads() const
+{
+  return {load[0].value, load[1].value, load[2].value};
+}
+
+/* ----------------------------------------------------------------------
+   numbers are those of the input
+------------------------------------------------------------------------- */
+
+void TMSPHWallDrive::take_loads(const double *values)
+{
+  for (int a = 0; a < 3; a++)
+    if (!load[a].variable.empty()) load[a].value = values[a];
+}
