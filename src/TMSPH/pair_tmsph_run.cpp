@@ -10,6 +10,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "tmsph_openings.h"
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
@@ -18,6 +19,11 @@ using namespace TMSPH;
 
 void PairTMSPH::run_begins()
 {
+  int left = !openings() && bond_fix->bonds_carry(TMSPHOpenings::NAME, atom->nlocal), any;
+  MPI_Allreduce(&left, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any)
+    error->all(FLERR, "Bonds have begun to open, and no fix has the word energy or toughness: keep "
+                      "the fix that breaks bonds as it was, after read_restart too");
   const bool two = domain->dimension == 2;
   const int columns = two ? Rows<2>::communicated(on) : Rows<3>::communicated(on);
   const int others = averaging.doubles_per_ghost() + coupling.doubles_per_ghost();

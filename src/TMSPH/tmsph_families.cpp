@@ -55,6 +55,16 @@ TMSPHBondValues &TMSPHFamilies::bond_values(const std::string &name, int width)
 
 /* ---------------------------------------------------------------------- */
 
+bool TMSPHFamilies::bonds_carry(const std::string &name, int n) const
+{
+  for (const auto &values : of_bonds)
+    for (int i = 0; values->name == name && i < n; i++)
+      if (values->count(i)) return true;
+  return false;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void TMSPHFamilies::resize_rows(int length, int nmax)
 {
   maxpartner = length;

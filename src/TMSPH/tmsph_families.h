@@ -44,6 +44,8 @@ class TMSPHFamilies {
       for before, else new. It lives as long as the bonds. To be called on all processors. */
   TMSPHParticleValues &particle_values(const std::string &name, int width);
   TMSPHBondValues &bond_values(const std::string &name, int width);
+  /// true if one of the first n particles has bonds that carry something under this name
+  bool bonds_carry(const std::string &name, int n) const;
 
   /// id of the particle at the last setup, NOBODY as long as it has no family
   static constexpr tagint NOBODY = 0;

@@ -19,7 +19,7 @@ using namespace TMSPH;
 /* ---------------------------------------------------------------------- */
 
 TMSPHOpenings::TMSPHOpenings(LAMMPS *lmp, FixTMSPHBond &bonds, TMSPHGhostSender &ghosts) :
-    Pointers(lmp), bonds(bonds), ghosts(ghosts), values(bonds.bond_values("opening", OPEN_BOND_SIZE)),
+    Pointers(lmp), bonds(bonds), ghosts(ghosts), values(bonds.bond_values(NAME, OPEN_BOND_SIZE)),
     shapes(bonds.particle_values("shape before opening", domain->dimension == 2 ? 3 : 6))
 {
 }

@@ -37,6 +37,8 @@ struct TMSPHBondState {
 
 class TMSPHOpenings : protected Pointers {
  public:
+  /// of what bonds carry
+  static constexpr const char *NAME = "opening";
   TMSPHOpenings(class LAMMPS *, FixTMSPHBond &, TMSPHGhostSender &);
 
   /// true if a bond of this processor's particles opens; of any processor's, as of the last look()

@@ -150,6 +150,11 @@ def limits(report):
         report.within(f"'{words}' {more or ''}: told", float(text in log), 1, 1)
         report.within(f"'{words}' {more or ''}: errors", log.count("ERROR"),
                       0 if "WARNING" in text else 1, 1)
+    pulled = Strip("square", 0, 2e-3)
+    log = pulled.scene().add(f"run {int(0.5 * pulled.steps)}\nthermo_style one\nunfix break\nrun 1").run(
+        may_fail=True).log
+    report.within("fix removed while bonds open: told",
+                  float("ERROR: Bonds have begun to open" in log), 1, 1)
     log = told("tensile * 10e6 toughness * 1e6")
     line = next(row for row in log[log.index("TMSPH breaking"):].splitlines()
                 if row.split()[:1] == ["1"])
