@@ -22,6 +22,7 @@
 #include "comm.h"
 #include "pointers.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -90,18 +91,21 @@ class TMSPHGhostSender : protected Pointers {
 
   int pack(int n, const int *list, double *buf) const
   {
-    for (int k = 0; k < n; k++) {
-      const double *from = sent + (size_t) sent_stride * list[k];
-      for (int c = 0; c < sent_count; c++) *buf++ = from[c];
-    }
+    if (sent_stride == 1)    // temperatures, in each stage of a heat step
+      for (int k = 0; k < n; k++) buf[k] = sent[list[k]];
+    else
+      for (int k = 0; k < n; k++, buf += sent_count)
+        std::copy_n(sent + (size_t) sent_stride * list[k], sent_count, buf);
     return n * sent_count;
   }
   void unpack(int n, int first, const double *buf)
   {
-    for (int i = first; i < first + n; i++) {
-      double *to = sent + (size_t) sent_stride * i;
-      for (int c = 0; c < sent_count; c++) to[c] = *buf++;
-    }
+    double *to = sent + (size_t) sent_stride * first;
+    if (sent_count == sent_stride)
+      std::copy_n(buf, (size_t) sent_count * n, to);
+    else
+      for (int k = 0; k < n; k++, buf += sent_count, to += sent_stride)
+        std::copy_n(buf, sent_count, to);
   }
   /// columns under way, which are the distance of rows in the buffer
   int count() const { return sent_count; }
