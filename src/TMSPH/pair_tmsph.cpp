@@ -51,7 +51,7 @@ template <int D> void PairTMSPH::evaluate()
   // where the particles are
 
   the_box.meet_forces();
-  find_displacements<D>();
+  rows.move<D>(*this, expands());
   if (on.viscosity) rows.take_velocities<D>(*bond_fix);
 
   // strains and stresses of particles
@@ -95,38 +95,19 @@ template <int D> void PairTMSPH::prepare()
 {
   rows.lay_out<D>(*this, *bond_fix);
   coupling.lay_out(*bond_fix);
-  const double kappa = bond_fix->interior_kappa();
+  const double kappa = bond_fix->interior_kappa(), thickness = bond_fix->body_thickness();
   Slices &all = bond_fix->layout();
   all.own.resize((size_t) all.count() * CONSTANTS<D> * WIDTH);
   for (int q = 0; q < all.count(); q++)
     for (int l = 0; l < WIDTH; l++)
-      update_shape<D>(all, q, l, rows.kinematic(), kappa, constants(all.particle[q * WIDTH + l]));
+      update_shape<D>(all, q, l, rows.kinematic(), kappa,
+                      averaging.constants(all.particle[q * WIDTH + l], thickness));
   own_side.lay_out<D>(*bond_fix, *atom, rows.kinematic());
   averaging.lay_out(*bond_fix);
   viscosity.kappa = kappa;
   for (int type = 1; type <= atom->ntypes; type++)
     on.hourglass = on.hourglass || material(type).hourglass > 0.0;
   prepared.see(*bond_fix);
-}
-
-/* ----------------------------------------------------------------------
-   of a local particle; where dilatations are averaged, lambda acts on the mean
-------------------------------------------------------------------------- */
-
-ParticleConstants PairTMSPH::constants(int i) const
-{
-  const Elastic &m = elastic(i);
-  return {atom->vfrac[i], averaging.averages(atom->type[i]) ? 0.0 : m.lambda, m.shear,
-          material(atom->type[i]).hourglass * m.young / bond_fix->body_thickness()};
-}
-
-/* ----------------------------------------------------------------------
-   and thermal strains where there are any, of all particles
-------------------------------------------------------------------------- */
-
-template <int D> void PairTMSPH::find_displacements()
-{
-  if (!rows.move<D>(*this, expands())) stop_thermal(lmp, *this);
 }
 
 /* ----------------------------------------------------------------------
@@ -193,7 +174,7 @@ template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
   Slices &all = bond_fix->layout();
   for (int i : touched) {
     update_shape<D>(all, i / WIDTH, i % WIDTH, rows.kinematic(), bond_fix->interior_kappa(),
-                    constants(i));
+                    averaging.constants(i, bond_fix->body_thickness()));
     own_side.follow<D>(i, *bond_fix, *atom, rows.kinematic());
     bond_fix->update_damage(i);
   }
@@ -318,7 +299,7 @@ TMSPHFields PairTMSPH::fields()
     constexpr int D = decltype(dimension)::value;
     if (prepared.laid_out_anew(*bond_fix)) prepare<D>();
     if (openings()) openings()->follow();
-    find_displacements<D>();
+    rows.move<D>(*this, expands());
     stress.resize((size_t) STRESS_ROW<D> * (atom->nlocal + atom->nghost));
     GradientOutput out;
     out.stress = stress.data();
@@ -336,8 +317,6 @@ TMSPHFields PairTMSPH::fields()
 
 template void PairTMSPH::prepare<2>();
 template void PairTMSPH::prepare<3>();
-template void PairTMSPH::find_displacements<2>();
-template void PairTMSPH::find_displacements<3>();
 template void PairTMSPH::find_gradients<2>(GradientOutput, bool);
 template void PairTMSPH::find_gradients<3>(GradientOutput, bool);
 template void PairTMSPH::complete_rows<2>();

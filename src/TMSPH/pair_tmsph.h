@@ -122,12 +122,10 @@ class PairTMSPH : public Pair,
 
   void allocate();
   std::string features() const;
-  TMSPH::ParticleConstants constants(int i) const;
   TMSPHOpenings *openings() const { return break_test ? break_test->openings() : nullptr; }
   bool opens() const;
   template <int D> void prepare();
   template <int D> void evaluate();
-  template <int D> void find_displacements();
   template <int D> void find_gradients(TMSPH::GradientOutput, bool keep);
   template <int D> void find_stresses(bool inverted_breaks);
   template <int D> void test_bonds();

@@ -57,7 +57,7 @@ template <int D> double PairTMSPH::estimate_timestep()
   linear.alpha2 = 0.0;
   const auto forces = [&](const std::vector<double> &trial, double push, double dt,
                           std::vector<double> &f) {
-    find_displacements<D>();
+    rows.move<D>(*this, expands());
     rows.try_move<D>(trial, push, 2.0 / dt);
     GradientOutput out;
     out.force_row = rows.force();
@@ -70,6 +70,6 @@ template <int D> double PairTMSPH::estimate_timestep()
       stable_step(trial_displacements(*bond_fix, *atom, D), D, atom->rmass, TRIAL * horizon(),
                   horizon() / wave_speed(material(1)), world, forces);
   if (on.viscosity) rows.put_velocities<D>(velocities);
-  find_displacements<D>();
+  rows.move<D>(*this, expands());
   return dt;
 }

@@ -75,6 +75,15 @@ void TMSPHAveraging::init()
   }
 }
 
+/* ---------------------------------------------------------------------- */
+
+ParticleConstants TMSPHAveraging::constants(int i, double thickness) const
+{
+  const Elastic &m = materials.elastic(i);
+  return {atom->vfrac[i], averages(atom->type[i]) ? 0.0 : m.lambda, m.shear,
+          materials.material(atom->type[i]).hourglass * m.young / thickness};
+}
+
 /* ----------------------------------------------------------------------
    M_ij of all bonds to the own material, rounded once and alike at both ends
 ------------------------------------------------------------------------- */

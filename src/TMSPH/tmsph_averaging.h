@@ -11,6 +11,7 @@
 #include "fix_tmsph_bond.h"
 #include "tmsph_ghost_rows.h"
 #include "tmsph_materials.h"
+#include "tmsph_shape.h"
 
 #include <vector>
 
@@ -31,6 +32,8 @@ class TMSPHAveraging : protected Pointers {
   bool coupled(int itype, int jtype) const;
   bool couples() const { return coupling; }
 
+  /// of a local particle in the sweeps; where dilatations are averaged, lambda acts on the mean
+  TMSPH::ParticleConstants constants(int i, double thickness) const;
   /// after an exchange of particles
   void lay_out(FixTMSPHBond &) const;
   /** Mean dilatations and pressures (positive in tension) of the local particles.

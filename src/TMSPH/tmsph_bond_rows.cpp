@@ -7,6 +7,7 @@
 #include "tmsph_bond_rows.h"
 
 #include "domain.h"
+#include "tmsph_stop.h"
 #include "update.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ void TMSPHBondRows::lay_out(const TMSPHMaterials &materials, const FixTMSPHBond 
 
 /* ---------------------------------------------------------------------- */
 
-template <int D> bool TMSPHBondRows::move(const TMSPHMaterials &materials, bool heated)
+template <int D> void TMSPHBondRows::move(const TMSPHMaterials &materials, bool heated)
 {
   using R = Rows<D>;
   double **x = atom->x;
@@ -46,14 +47,14 @@ template <int D> bool TMSPHBondRows::move(const TMSPHMaterials &materials, bool 
     double *row = kinematic_row.data() + (size_t) i * R::KINEMATIC;
     for (int k = 0; k < D; k++) row[R::U + k] = x[i][k] - row[R::X + k];
   }
-  if (!heated) return true;
+  if (!heated) return;
   bool possible = true;
   for (int i = 0; i < nall; i++) {
     const double push = materials.thermal_push(i);
     kinematic_row[(size_t) i * R::KINEMATIC + R::THERMAL] = push;
     possible &= push > -materials.elastic(i).young;    // false for NaN
   }
-  return possible;
+  if (!possible) stop_thermal(lmp, materials);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -137,8 +138,8 @@ void TMSPHBondRows::add_rate(int n, const int *list, double *buf, const int *pbc
 namespace LAMMPS_NS {
 template void TMSPHBondRows::lay_out<2>(const TMSPHMaterials &, const FixTMSPHBond &);
 template void TMSPHBondRows::lay_out<3>(const TMSPHMaterials &, const FixTMSPHBond &);
-template bool TMSPHBondRows::move<2>(const TMSPHMaterials &, bool);
-template bool TMSPHBondRows::move<3>(const TMSPHMaterials &, bool);
+template void TMSPHBondRows::move<2>(const TMSPHMaterials &, bool);
+template void TMSPHBondRows::move<3>(const TMSPHMaterials &, bool);
 template void TMSPHBondRows::take_velocities<2>(const FixTMSPHBond &);
 template void TMSPHBondRows::take_velocities<3>(const FixTMSPHBond &);
 template void TMSPHBondRows::try_move<2>(const std::vector<double> &, double, double);

@@ -29,9 +29,9 @@ class TMSPHBondRows : protected Pointers {
 
   /// after an exchange of particles: references and constants
   template <int D> void lay_out(const TMSPHMaterials &, const FixTMSPHBond &);
-  /** Displacements of all particles, and thermal strains if there are any.
-      @return false if one of those leaves nothing of its particle */
-  template <int D> bool move(const TMSPHMaterials &, bool heated);
+  /// displacements of all particles, and thermal strains if there are any; an error if one of those
+  /// leaves nothing of its particle
+  template <int D> void move(const TMSPHMaterials &, bool heated);
   /// velocities of local particles: those of a step or of its setup, none while minimizing
   template <int D> void take_velocities(const FixTMSPHBond &);
   /// the former ones; nullptr if the rows hold others
