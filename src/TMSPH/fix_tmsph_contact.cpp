@@ -170,7 +170,7 @@ void FixTMSPHContact::add_virial()
    trace of their share.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHContact::add_shares(std::vector<Share> &shares)
+void FixTMSPHContact::add_loads(std::vector<Load> &loads)
 {
   follow(false);
   const int d = domain->dimension;
@@ -178,7 +178,7 @@ void FixTMSPHContact::add_shares(std::vector<Share> &shares)
     const double *s = list.memory(m).stress;
     const double *H = scene.pair->step_gradient() + (size_t) d * d * m.i;
     if (std::all_of(s, s + 6, [](double one) { return one == 0.0; })) continue;
-    Share share = {m.i, scene.segments, {s[0], s[1], s[2], s[3], s[4], s[5]}};
+    Load load = {m.i, scene.segments, {s[0], s[1], s[2], s[3], s[4], s[5]}};
     double reference[3] = {}, n[3] = {}, square = 0.0;
     for (int k = m.first; k < m.last; k++) {
       const TMSPHContactList::End &e = list.ends[k];
@@ -192,12 +192,12 @@ void FixTMSPHContact::add_shares(std::vector<Share> &shares)
       d == 2 ? carried_normal<2>(H, reference, n) : carried_normal<3>(H, reference, n);
       const double trace = s[0] + s[1] + s[2];
       const double lateral = scene.pair->lateral_ratio(m.i) * std::min(0.0, trace);
-      for (int a = 0; a < d; a++) share.stress[a] += lateral * (1.0 - n[a] * n[a]);
-      share.stress[3] -= lateral * n[0] * n[1];
-      share.stress[4] -= lateral * n[0] * n[2];
-      share.stress[5] -= lateral * n[1] * n[2];
+      for (int a = 0; a < d; a++) load.stress[a] += lateral * (1.0 - n[a] * n[a]);
+      load.stress[3] -= lateral * n[0] * n[1];
+      load.stress[4] -= lateral * n[0] * n[2];
+      load.stress[5] -= lateral * n[1] * n[2];
     }
-    shares.push_back(share);
+    loads.push_back(load);
   }
 }
 

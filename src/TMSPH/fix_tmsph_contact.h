@@ -69,7 +69,7 @@ class FixTMSPHContact : public Fix,
 
   bool touching(int, int) const override { return true; }
   unsigned states() const override { return scene.states(); }
-  void add_shares(std::vector<Share> &) override;
+  void add_loads(std::vector<Load> &) override;
   bool may_press() const override { return possible(); }
   int doubles_per_ghost() const override;
   void touches(std::vector<Touch> &) override;

@@ -44,7 +44,7 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
   double compute_vector(int) override;
   double memory_usage() override;
   bool has_ids() const override { return !memories.empty(); }
-  void add_shares(std::vector<Share> &) override;
+  void add_loads(std::vector<Load> &) override;
   bool may_press() const override { return candidates.may_touch(); }
   int image(int *&, double **&) override;
 
@@ -87,7 +87,7 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
   void act(double dt);
   void start();
   double half_row(int i, const TMSPH::Point &normal) const;
-  TMSPHPresses::Share share_of(int i, const TMSPHWallMemory &) const;
+  TMSPHPresses::Load load_of(int i, const TMSPHWallMemory &) const;
 };
 
 }    // namespace LAMMPS_NS

@@ -41,11 +41,11 @@ double FixTMSPHWall::half_row(int i, const Point &normal) const
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHWall::add_shares(std::vector<Share> &shares)
+void FixTMSPHWall::add_loads(std::vector<Load> &loads)
 {
   for (int n = 0; n < memories.count(); n++) {
     const int i = atom->map(memories.id(n));
-    if (i >= 0 && i < atom->nlocal) shares.push_back(share_of(i, memories[n]));
+    if (i >= 0 && i < atom->nlocal) loads.push_back(load_of(i, memories[n]));
   }
 }
 
@@ -55,7 +55,7 @@ void FixTMSPHWall::add_shares(std::vector<Share> &shares)
    In a corner the force is the sum of two along the normals, and what is left is friction of both.
 ------------------------------------------------------------------------- */
 
-TMSPHPresses::Share FixTMSPHWall::share_of(int i, const TMSPHWallMemory &memory) const
+TMSPHPresses::Load FixTMSPHWall::load_of(int i, const TMSPHWallMemory &memory) const
 {
   const double *f = memory.force;
   WallTouch place[2];
@@ -76,7 +76,7 @@ TMSPHPresses::Share FixTMSPHWall::share_of(int i, const TMSPHWallMemory &memory)
   for (int p = 0; p < places; p++)
     for (int a = 0; a < 3; a++) rubbing[a] -= normal[p] * place[p].normal[a];
 
-  Share share = {i, true, {}};
+  Load load = {i, true, {}};
   const double ratio = scene.pair->lateral_ratio(i);
   for (int p = 0; p < places; p++) {
     const Point &n = place[p].normal;
@@ -87,9 +87,9 @@ TMSPHPresses::Share FixTMSPHWall::share_of(int i, const TMSPHWallMemory &memory)
                       (rubbing[a] * n[b] + rubbing[b] * n[a]) / places);
     };
     for (int a = 0, k = 3; a < domain->dimension; a++) {
-      share.stress[a] += component(a, a);
-      for (int b = a + 1; b < domain->dimension; b++) share.stress[k++] += component(a, b);
+      load.stress[a] += component(a, a);
+      for (int b = a + 1; b < domain->dimension; b++) load.stress[k++] += component(a, b);
     }
   }
-  return share;
+  return load;
 }

@@ -146,11 +146,11 @@ static double norm(const double *s, int size)
 
 void TMSPHPressedSurfaces::add_stress(const FixTMSPHBond &present, double *stresses)
 {
-  std::vector<TMSPHPresses::Share> loads;
+  std::vector<TMSPHPresses::Load> loads;
   bool possible = false, by_surfaces = false;    // the same on all processors
   for (Fix *fix : modify->get_fix_list())
     if (auto *one = dynamic_cast<TMSPHPresses *>(fix)) {
-      one->add_shares(loads);
+      one->add_loads(loads);
       if (!one->may_press()) continue;
       possible = true;
       by_surfaces = by_surfaces || reaches_outermost(fix);
@@ -189,7 +189,7 @@ bool TMSPHPressedSurfaces::pressed(bool here)
    rows of local particles, and those that have one
 ------------------------------------------------------------------------- */
 
-void TMSPHPressedSurfaces::take_loads(const std::vector<TMSPHPresses::Share> &loads)
+void TMSPHPressedSurfaces::take_loads(const std::vector<TMSPHPresses::Load> &loads)
 {
   outermost.clear();
   touching.clear();

@@ -76,7 +76,7 @@ class TMSPHPressedSurfaces : protected Pointers {
   bool pressed(bool here);
   void lay_out();
   Span near(int i);
-  void take_loads(const std::vector<TMSPHPresses::Share> &);
+  void take_loads(const std::vector<TMSPHPresses::Load> &);
   void find_members();
   void average_surfaces();
   void average_pairs();

@@ -15,14 +15,14 @@ class TMSPHPresses {
  public:
   /** Stress of the cell of local particle i by forces on its surface, which no bond carries:
       xx yy zz xy xz yz. */
-  struct Share {
+  struct Load {
     int i;
     bool outermost;      // the forces reach the outermost particles only, not those behind
     double stress[6];
   };
   /// adds those of the last force evaluation (collective)
-  virtual void add_shares(std::vector<Share> &) = 0;
-  /// false if there are no shares on any processor; asked after add_shares(), the same on all
+  virtual void add_loads(std::vector<Load> &) = 0;
+  /// false if there are no loads on any processor; asked after add_loads(), the same on all
   virtual bool may_press() const { return true; }
 
  protected:
