@@ -26,7 +26,7 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using TMSPH::WIDTH;
+using TMSPH::LANES;
 
 // a particle at the horizon but for round-off, as it may be in a lattice, is no partner: its weight
 // would be 0
@@ -315,31 +315,31 @@ void FixTMSPHBond::unpack_forward_comm(int n, int first, double *buf)
 void FixTMSPHBond::lay_out()
 {
   const int nlocal = atom->nlocal;
-  const int nslice = (nlocal + WIDTH - 1) / WIDTH;
+  const int nslice = (nlocal + LANES - 1) / LANES;
 
-  slices.particle.resize((size_t) nslice * WIDTH);
+  slices.particle.resize((size_t) nslice * LANES);
   slices.valid.resize(nslice);
   slices.offset.resize(nslice + 1);
   slices.offset[0] = 0;
   for (int q = 0; q < nslice; q++) {
-    const int first = q * WIDTH, n = std::min(WIDTH, nlocal - first);
+    const int first = q * LANES, n = std::min(LANES, nlocal - first);
     int rows = 0;
-    for (int l = 0; l < WIDTH; l++) {
+    for (int l = 0; l < LANES; l++) {
       slices.particle[first + l] = l < n ? first + l : first;
       if (l < n) rows = std::max(rows, count(first + l));
     }
     slices.valid[q] = n;
     slices.offset[q + 1] = slices.offset[q] + rows;
   }
-  const size_t size = (size_t) slices.offset[nslice] * WIDTH;
+  const size_t size = (size_t) slices.offset[nslice] * LANES;
   slices.partner.resize(size);
   slices.weight.resize(size);
   slices.averaging.clear();
 
   for (int q = 0; q < nslice; q++) {
     const int rows = slices.offset[q + 1] - slices.offset[q];
-    for (int l = 0; l < WIDTH; l++) {
-      const int i = slices.particle[q * WIDTH + l];
+    for (int l = 0; l < LANES; l++) {
+      const int i = slices.particle[q * LANES + l];
       const bool pad = l >= slices.valid[q];
       for (int k = 0; k < rows; k++) {
         int j = -1;
@@ -383,7 +383,7 @@ void FixTMSPHBond::remove_bond(int i, int k, State why)
 {
   set_state(i, k, why);
   nremoved++;
-  const size_t at = slices.at(i / WIDTH, i % WIDTH, k);
+  const size_t at = slices.at(i, k);
   slices.weight[at] = 0.0f;
   if (!slices.averaging.empty()) slices.averaging[at] = 0.0f;
 }

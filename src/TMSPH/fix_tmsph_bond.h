@@ -74,7 +74,7 @@ class FixTMSPHBond : public Fix, public TMSPHFamilies, public TMSPHReferenceGeom
   /// local or ghost index of partner k of local particle i; i itself where it is not at hand
   int partner_index(int i, int k) const
   {
-    return slices.partner[slices.at(i / TMSPH::WIDTH, i % TMSPH::WIDTH, k)];
+    return slices.partner[slices.at(i, k)];
   }
   /// takes the bond from this end; whoever decides must decide alike at the other end
   void remove_bond(int i, int k, State why);

@@ -97,11 +97,11 @@ template <int D> void PairTMSPH::prepare()
   coupling.lay_out(*bond_fix);
   const double kappa = bond_fix->interior_kappa(), thickness = bond_fix->body_thickness();
   Slices &all = bond_fix->layout();
-  all.own.resize((size_t) all.count() * CONSTANTS<D> * WIDTH);
+  all.own.resize((size_t) all.count() * CONSTANTS<D> * LANES);
   for (int q = 0; q < all.count(); q++)
-    for (int l = 0; l < WIDTH; l++)
+    for (int l = 0; l < LANES; l++)
       update_shape<D>(all, q, l, rows.kinematic(), kappa,
-                      averaging.constants(all.particle[q * WIDTH + l], thickness));
+                      averaging.constants(all.particle[q * LANES + l], thickness));
   own_side.lay_out<D>(*bond_fix, *atom, rows.kinematic());
   averaging.lay_out(*bond_fix);
   viscosity.kappa = kappa;
@@ -173,7 +173,7 @@ template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
 {
   Slices &all = bond_fix->layout();
   for (int i : touched) {
-    update_shape<D>(all, i / WIDTH, i % WIDTH, rows.kinematic(), bond_fix->interior_kappa(),
+    update_shape<D>(all, i / LANES, i % LANES, rows.kinematic(), bond_fix->interior_kappa(),
                     averaging.constants(i, bond_fix->body_thickness()));
     own_side.follow<D>(i, *bond_fix, *atom, rows.kinematic());
     bond_fix->update_damage(i);
@@ -183,7 +183,7 @@ template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
   if (contact || averaging.on() || openings()) out.gradient = gradient.data();
   int last_slice = -1;
   for (int i : touched) {
-    const int q = i / WIDTH;
+    const int q = i / LANES;
     if (q != last_slice) gradient_sweep<D>(on, all, q, q + 1, rows.kinematic(), out);
     last_slice = q;
   }

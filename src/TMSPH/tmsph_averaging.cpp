@@ -99,7 +99,7 @@ void TMSPHAveraging::lay_out(FixTMSPHBond &bonds) const
   all.averaging.assign(all.weight.size(), 0.0f);
   for (int q = 0; q < all.count(); q++)
     for (int l = 0; l < all.valid[q]; l++) {
-      const int i = all.particle[q * WIDTH + l];
+      const int i = all.particle[q * LANES + l];
       if (!averages(atom->type[i])) continue;
       for (const auto &bond : bonds.family(i, FixTMSPHBond::WHOLE))
         if (materials.same_material(atom->type[i], atom->type[bond.j]))

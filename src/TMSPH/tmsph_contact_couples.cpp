@@ -75,7 +75,7 @@ static inline void each_bond(const FixTMSPHBond &bonds, const double *const *pos
   const Slices &layout = bonds.layout();
   const double *here = positions[i];
   for (int k = 0; k < bonds.count(i); k++) {
-    const size_t at = layout.at(i / WIDTH, i % WIDTH, k);
+    const size_t at = layout.at(i, k);
     const double weight = layout.weight[at];
     if (weight == 0.0) continue;
     const int j = layout.partner[at];

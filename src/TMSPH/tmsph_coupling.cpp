@@ -46,7 +46,7 @@ void TMSPHCoupling::lay_out(FixTMSPHBond &bonds)
     one.i = i;
     for (const auto &bond : bonds.family(i, FixTMSPHBond::FORMED)) {
       if (!averaging.coupled(atom->type[i], atom->type[bond.j])) continue;
-      all.weight[all.at(i / WIDTH, i % WIDTH, bond.k)] = 0.0f;
+      all.weight[all.at(i, bond.k)] = 0.0f;
       one.bonds.push_back({bond.k, bond.j, 0.0, {}});
     }
     if (!one.bonds.empty()) crossing.push_back(std::move(one));

@@ -12,7 +12,7 @@ namespace {
 TMSPH_INLINE Lanes gather(const double *value, const int *index)
 {
   Lanes a;
-  for (int l = 0; l < WIDTH; l++) a[l] = value[index[l]];
+  for (int l = 0; l < LANES; l++) a[l] = value[index[l]];
   return a;
 }
 
@@ -29,16 +29,16 @@ template <int D> Matrix<D, double> deformation_of(const double *H)
 template <int D> void average_sweep(const Slices &bonds, const double *value, double *mean)
 {
   for (int q = 0; q < bonds.count(); q++) {
-    const int *particle = bonds.particle.data() + q * WIDTH;
+    const int *particle = bonds.particle.data() + q * LANES;
     const Lanes mine = gather(value, particle);
     Lanes sum = broadcast(0.0);
     for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
-      const size_t at = (size_t) b * WIDTH;
+      const size_t at = (size_t) b * LANES;
       sum += load(bonds.averaging.data() + at) *
           (gather(value, bonds.partner.data() + at) - mine);
     }
     const Lanes volume =
-        load(bonds.own.data() + ((size_t) q * CONSTANTS<D> + SYMMETRIC<D>) * WIDTH);
+        load(bonds.own.data() + ((size_t) q * CONSTANTS<D> + SYMMETRIC<D>) * LANES);
     const Lanes result = mine + sum / volume;
     for (int l = 0; l < bonds.valid[q]; l++) mean[particle[l]] = result[l];
   }
@@ -46,7 +46,7 @@ template <int D> void average_sweep(const Slices &bonds, const double *value, do
 
 template <int D> void add_pressure(double q, const double *H, const double *own, double *force_row)
 {
-  const double volume = own[WIDTH * SYMMETRIC<D>];
+  const double volume = own[LANES * SYMMETRIC<D>];
   const Matrix<D, double> FK = product(deformation_of<D>(H), shape_inverse<D>(own));
   for (int a = 0; a < D; a++)
     for (int b = 0; b < D; b++) force_row[Rows<D>::B + a * D + b] += volume * q * FK[a][b];

@@ -138,7 +138,7 @@ template <int D> void TMSPHHeatNetwork::find_conductances()
     const int itype = atom->type[i];
     for (int n = 0; n < bonds->count(i); n++) {
       if (bonds->bond_state(i, n) != FixTMSPHBond::INTACT) continue;
-      const size_t at = slices.at(i / WIDTH, i % WIDTH, n);
+      const size_t at = slices.at(i, n);
       const int j = slices.partner[at], jtype = atom->type[j];
       double ki = k[itype], kj = k[jtype];
       if (materials.orthotropic(itype) || materials.orthotropic(jtype)) {
@@ -197,7 +197,7 @@ void TMSPHHeatNetwork::drop_conductances()
   for (int i = 0; i < atom->nlocal; i++)
     for (int n = 0; n < bonds->count(i); n++)
       if (bonds->bond_state(i, n) != FixTMSPHBond::INTACT)
-        conductances[slices.at(i / WIDTH, i % WIDTH, n)] = 0.0f;
+        conductances[slices.at(i, n)] = 0.0f;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -10,7 +10,7 @@ namespace {
 TMSPH_INLINE Lanes pick(const double *values, const int *which)
 {
   Lanes a;
-  for (int l = 0; l < WIDTH; l++) a[l] = values[which[l]];
+  for (int l = 0; l < LANES; l++) a[l] = values[which[l]];
   return a;
 }
 
@@ -19,12 +19,12 @@ void conduct(const Slices &bonds, const float *conductance, const double *temper
              const double *conductivity, double *power)
 {
   for (int q = 0; q < bonds.count(); q++) {
-    const int *particle = bonds.particle.data() + q * WIDTH;
+    const int *particle = bonds.particle.data() + q * LANES;
     const Lanes T = pick(temperature, particle);
     Lanes k = broadcast(0.0), sum = broadcast(0.0);
     if constexpr (VARIABLE) k = pick(conductivity, particle);
     for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
-      const size_t at = (size_t) b * WIDTH;
+      const size_t at = (size_t) b * LANES;
       const int *partner = bonds.partner.data() + at;
       Lanes flow = load(conductance + at) * (pick(temperature, partner) - T);
       if constexpr (VARIABLE) {

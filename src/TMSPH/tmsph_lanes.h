@@ -16,7 +16,7 @@
 
 namespace TMSPH {
 
-static constexpr int WIDTH = 8;
+static constexpr int LANES = 8;    // numbers side by side
 
 typedef double Lanes __attribute__((vector_size(64)));
 typedef float FloatLanes __attribute__((vector_size(32)));
@@ -52,7 +52,7 @@ TMSPH_INLINE void store(double *p, Lanes a)
 TMSPH_INLINE Lanes square_root(Lanes a)
 {
   Lanes r = a;
-  for (int l = 0; l < WIDTH; l++) r[l] = std::sqrt(a[l]);
+  for (int l = 0; l < LANES; l++) r[l] = std::sqrt(a[l]);
   return r;
 }
 
@@ -64,7 +64,7 @@ TMSPH_INLINE double square_root(double a)
 TMSPH_INLINE Lanes log_of_one_plus(Lanes a)
 {
   Lanes r = a;
-  for (int l = 0; l < WIDTH; l++) r[l] = std::log1p(a[l]);
+  for (int l = 0; l < LANES; l++) r[l] = std::log1p(a[l]);
   return r;
 }
 

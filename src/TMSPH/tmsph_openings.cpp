@@ -84,7 +84,7 @@ void TMSPHOpenings::gather(const TMSPHBondState &s, int i, OpenFit<D> &fit) cons
       const double push = mine[R::THERMAL] + his[R::THERMAL];
       b.u = (young * b.u - push * b.X) / (young + push);
     }
-    b.weight = s.slices.weight[s.slices.at(i / TMSPH::WIDTH, i % TMSPH::WIDTH, k)];
+    b.weight = s.slices.weight[s.slices.at(i, k)];
     b.open = 0.0;
     b.normal.setZero();
     b.place = k;
@@ -95,10 +95,9 @@ void TMSPHOpenings::gather(const TMSPHBondState &s, int i, OpenFit<D> &fit) cons
     }
     fit.bonds.push_back(b);
   }
-  const double *const own =
-      s.slices.own.data() + (size_t) (i / TMSPH::WIDTH) * CONSTANTS<D> * TMSPH::WIDTH + i % TMSPH::WIDTH;
+  const double *const own = s.slices.constants<D>(i);
   fit.shape_inverse = dense<D>(shape_inverse<D>(own));
-  const auto constant = [&](int n) { return own[TMSPH::WIDTH * (SYMMETRIC<D> + n)]; };
+  const auto constant = [&](int n) { return own[TMSPH::LANES * (SYMMETRIC<D> + n)]; };
   fit.volume = constant(0);
   fit.lambda = constant(1);
   fit.shear = constant(2);

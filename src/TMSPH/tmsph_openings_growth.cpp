@@ -80,9 +80,8 @@ void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &n
   kinematic = s.kinematic;
   heated = s.on.thermal == ThermalStrain::BOND;
   for (int i = 0; i < atom->nlocal; i++) {
-    const double *const own = s.slices.own.data() +
-        (size_t) (i / TMSPH::WIDTH) * CONSTANTS<D> * TMSPH::WIDTH + i % TMSPH::WIDTH;
-    const auto constant = [&](int n) { return own[TMSPH::WIDTH * (SYMMETRIC<D> + n)]; };
+    const double *const own = s.slices.constants<D>(i);
+    const auto constant = [&](int n) { return own[TMSPH::LANES * (SYMMETRIC<D> + n)]; };
     double *const r = rows[i];
     std::copy_n(s.kinematic + (size_t) i * R::KINEMATIC + R::U, D, r + O::U);
     std::copy_n(s.gradient + (size_t) i * D * D, D * D, r + O::H);
@@ -233,8 +232,7 @@ template <int D> void TMSPHOpenings::complete(const TMSPHBondState &s)
     shapes.start(atom->nmax);
     for (int i = 0; i < atom->nlocal; i++)
       for (int n = 0; n < SYMMETRIC<D>; n++)
-        shapes[i][n] = s.slices.own[(size_t) (i / TMSPH::WIDTH) * CONSTANTS<D> * TMSPH::WIDTH +
-                                    TMSPH::WIDTH * n + i % TMSPH::WIDTH];
+        shapes[i][n] = s.slices.constants<D>(i)[TMSPH::LANES * n];
   }
   list_open();
   for (const int i : open)

@@ -34,10 +34,10 @@ void TMSPHOwnSide::lay_out(const FixTMSPHBond &bonds, const Atom &atom, const do
       mixed = mixed || type[bond.j] != type[i];
     if (mixed) members.push_back(i);
   }
-  for (size_t first = 0; first < members.size(); first += WIDTH) {
-    const int n = std::min<size_t>(WIDTH, members.size() - first);
+  for (size_t first = 0; first < members.size(); first += LANES) {
+    const int n = std::min<size_t>(LANES, members.size() - first);
     int rows = 0;
-    for (int l = 0; l < WIDTH; l++) {
+    for (int l = 0; l < LANES; l++) {
       const int i = members[first + (l < n ? l : 0)];
       slices.particle.push_back(i);
       if (l < n) {
@@ -48,15 +48,15 @@ void TMSPHOwnSide::lay_out(const FixTMSPHBond &bonds, const Atom &atom, const do
     slices.valid.push_back(n);
     slices.offset.push_back(slices.offset.back() + rows);
   }
-  const size_t size = (size_t) slices.offset.back() * WIDTH;
+  const size_t size = (size_t) slices.offset.back() * LANES;
   slices.weight.assign(size, 0.0f);
   slices.partner.assign(size, 0);
   slices.fit.assign(size * D, 0.0);
-  slices.own.assign((size_t) slices.count() * CONSTANTS<D> * WIDTH, 0.0);
+  slices.own.assign((size_t) slices.count() * CONSTANTS<D> * LANES, 0.0);
   for (int q = 0; q < slices.count(); q++)    // pads: no bonds, any partner
-    for (int l = slices.valid[q]; l < WIDTH; l++)
+    for (int l = slices.valid[q]; l < LANES; l++)
       for (int b = 0; b < slices.offset[q + 1] - slices.offset[q]; b++)
-        slices.partner[slices.at(q, l, b)] = slices.particle[q * WIDTH + l];
+        slices.partner[slices.at(q, l, b)] = slices.particle[q * LANES + l];
   for (int i : members) fill<D>(i, bonds, atom, kinematic);
 }
 
@@ -75,11 +75,11 @@ template <int D>
 void TMSPHOwnSide::fill(int i, const FixTMSPHBond &bonds, const Atom &atom,
                         const double *kinematic)
 {
-  const int q = lane[i] / WIDTH, l = lane[i] % WIDTH;
+  const int q = lane[i] / LANES, l = lane[i] % LANES;
   const int rows = slices.offset[q + 1] - slices.offset[q];
   const Slices &all = bonds.layout();
-  const double *const constants = all.constants<D>(i) + WIDTH * SYMMETRIC<D>;
-  const ParticleConstants same = {constants[0], constants[WIDTH], constants[2 * WIDTH], 0.0};
+  const double *const constants = all.constants<D>(i) + LANES * SYMMETRIC<D>;
+  const ParticleConstants same = {constants[0], constants[LANES], constants[2 * LANES], 0.0};
   for (const bool own_only : {true, false}) {
     for (int k = 0; k < rows; k++) {
       const size_t at = slices.at(q, l, k);
@@ -87,12 +87,12 @@ void TMSPHOwnSide::fill(int i, const FixTMSPHBond &bonds, const Atom &atom,
       const int j = here ? bonds.partner_index(i, k) : i;
       slices.partner[at] = j;
       slices.weight[at] = here && (!own_only || atom.type[j] == atom.type[i])
-          ? all.weight[all.at(i / WIDTH, i % WIDTH, k)]
+          ? all.weight[all.at(i, k)]
           : 0.0f;
     }
     update_shape<D>(slices, q, l, kinematic, bonds.interior_kappa(), same);
     fit<D>(q, l, own_only, bonds.spacing(i), kinematic);
-    if (slices.own[(size_t) q * CONSTANTS<D> * WIDTH + l] != 0.0) return;
+    if (slices.own[(size_t) q * CONSTANTS<D> * LANES + l] != 0.0) return;
   }
 }
 
@@ -104,31 +104,31 @@ template <int D>
 void TMSPHOwnSide::fit(int q, int l, bool one_sided, double spacing, const double *kinematic)
 {
   using R = Rows<D>;
-  const int i = slices.particle[q * WIDTH + l];
+  const int i = slices.particle[q * LANES + l];
   const double *mine = kinematic + (size_t) i * R::KINEMATIC + R::X;
-  const double *own = slices.own.data() + (size_t) q * CONSTANTS<D> * WIDTH + l;
+  const double *own = slices.own.data() + (size_t) q * CONSTANTS<D> * LANES + l;
   Eigen::Matrix<double, D, D> inverse;
   for (int a = 0, entry = 0; a < D; a++)
-    for (int b = a; b < D; b++) inverse(a, b) = inverse(b, a) = own[WIDTH * entry++];
+    for (int b = a; b < D; b++) inverse(a, b) = inverse(b, a) = own[LANES * entry++];
   std::vector<size_t> places;
   std::vector<double> weights;
   for (int b = slices.offset[q]; b < slices.offset[q + 1]; b++) {
-    const size_t at = (size_t) b * WIDTH + l;
-    for (int k = 0; k < D; k++) slices.fit[((size_t) b * D + k) * WIDTH + l] = 0.0;
+    const size_t at = (size_t) b * LANES + l;
+    for (int k = 0; k < D; k++) slices.fit[((size_t) b * D + k) * LANES + l] = 0.0;
     if (slices.weight[at] == 0.0f) continue;
     places.push_back(b);
     weights.push_back(slices.weight[at]);
   }
   Eigen::Matrix<double, D, Eigen::Dynamic> X(D, places.size()), g(D, places.size());
   for (size_t n = 0; n < places.size(); n++) {
-    const int j = slices.partner[places[n] * WIDTH + l];
+    const int j = slices.partner[places[n] * LANES + l];
     const double *his = kinematic + (size_t) j * R::KINEMATIC + R::X;
     for (int k = 0; k < D; k++) X(k, n) = his[k] - mine[k];
   }
   if (inverse.isZero(0.0) || !one_sided || !one_sided_fit<D>(X, weights, spacing, g))
     for (size_t n = 0; n < places.size(); n++) g.col(n) = weights[n] * (inverse * X.col(n));
   for (size_t n = 0; n < places.size(); n++)
-    for (int k = 0; k < D; k++) slices.fit[(places[n] * D + k) * WIDTH + l] = g(k, n);
+    for (int k = 0; k < D; k++) slices.fit[(places[n] * D + k) * LANES + l] = g(k, n);
 }
 
 /* ---------------------------------------------------------------------- */

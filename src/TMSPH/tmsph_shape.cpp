@@ -25,11 +25,11 @@ void update_shape(Slices &bonds, int q, int l, const double *kinematic, double k
                   const ParticleConstants &m)
 {
   using R = Rows<D>;
-  const int i = bonds.particle[q * WIDTH + l];
+  const int i = bonds.particle[q * LANES + l];
   const double *mine = kinematic + (size_t) i * R::KINEMATIC + R::X;
   Eigen::Matrix<double, D, D> K = Eigen::Matrix<double, D, D>::Zero();
   for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
-    const size_t at = (size_t) b * WIDTH + l;
+    const size_t at = (size_t) b * LANES + l;
     const double *his = kinematic + (size_t) bonds.partner[at] * R::KINEMATIC + R::X;
     Eigen::Matrix<double, D, 1> X;
     for (int k = 0; k < D; k++) X[k] = his[k] - mine[k];
@@ -39,16 +39,16 @@ void update_shape(Slices &bonds, int q, int l, const double *kinematic, double k
   eigen.computeDirect(K, Eigen::EigenvaluesOnly);
   const auto &value = eigen.eigenvalues();
   const bool singular = !(value[0] > SINGULAR * m.volume * kappa);
-  double *own = bonds.own.data() + (size_t) q * CONSTANTS<D> * WIDTH + l;
+  double *own = bonds.own.data() + (size_t) q * CONSTANTS<D> * LANES + l;
   Eigen::Matrix<double, D, D> inverse = Eigen::Matrix<double, D, D>::Zero();
   if (!singular) inverse = K.inverse();
   int entry = 0;
   for (int a = 0; a < D; a++)
-    for (int b = a; b < D; b++) own[WIDTH * entry++] = inverse(a, b);
-  own[WIDTH * entry++] = m.volume;
-  own[WIDTH * entry++] = m.lambda;
-  own[WIDTH * entry++] = m.shear;
-  own[WIDTH * entry++] = singular ? 0.0 : m.chi;
+    for (int b = a; b < D; b++) own[LANES * entry++] = inverse(a, b);
+  own[LANES * entry++] = m.volume;
+  own[LANES * entry++] = m.lambda;
+  own[LANES * entry++] = m.shear;
+  own[LANES * entry++] = singular ? 0.0 : m.chi;
 }
 
 template void update_shape<2>(Slices &, int, int, const double *, double,

@@ -48,10 +48,10 @@ template <int D> struct Own {
   const double *constants;
   TMSPH_INLINE Own(const Slices &bonds, int q, const double *kinematic)
   {
-    load_rows<8>(kinematic, Rows<D>::KINEMATIC, bonds.particle.data() + q * WIDTH, row);
-    constants = bonds.own.data() + (size_t) q * CONSTANTS<D> * WIDTH;
+    load_rows<8>(kinematic, Rows<D>::KINEMATIC, bonds.particle.data() + q * LANES, row);
+    constants = bonds.own.data() + (size_t) q * CONSTANTS<D> * LANES;
   }
-  TMSPH_INLINE Lanes constant(int k) const { return load(constants + (size_t) k * WIDTH); }
+  TMSPH_INLINE Lanes constant(int k) const { return load(constants + (size_t) k * LANES); }
   TMSPH_INLINE Lanes volume() const { return constant(SYMMETRIC<D>); }
   TMSPH_INLINE Lanes lambda() const { return constant(SYMMETRIC<D> + 1); }
   TMSPH_INLINE Lanes shear() const { return constant(SYMMETRIC<D> + 2); }
@@ -80,7 +80,7 @@ TMSPH_INLINE Matrix<D, Lanes> displacement_gradient(const Slices &bonds, int q,
     for (int j = 0; j < D; j++) A[i][j] = broadcast(0.0);
   Lanes other[8];
   for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
-    const size_t at = (size_t) b * WIDTH;
+    const size_t at = (size_t) b * LANES;
     const BondRow<D, THERMAL> bond(own.row, kinematic, bonds.partner.data() + at, other);
     const Lanes weight = load(bonds.weight.data() + at);
     Lanes g[D];
@@ -101,10 +101,10 @@ Matrix<D, Lanes> fitted_gradient(const Slices &bonds, int q, const Own<D> &own,
     for (int j = 0; j < D; j++) H[i][j] = broadcast(0.0);
   Lanes other[8];
   for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
-    const size_t at = (size_t) b * WIDTH;
+    const size_t at = (size_t) b * LANES;
     const BondRow<D, THERMAL> bond(own.row, kinematic, bonds.partner.data() + at, other);
     for (int j = 0; j < D; j++) {
-      const Lanes g = load(bonds.fit.data() + D * at + j * WIDTH);
+      const Lanes g = load(bonds.fit.data() + D * at + j * LANES);
       for (int i = 0; i < D; i++) H[i][j] += bond.u[i] * g;
     }
   }
@@ -132,7 +132,7 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
   using R = Rows<D>;
   for (int q = first; q < last; q++) {
     const Own<D> own(bonds, q, kinematic);
-    const int *particle = bonds.particle.data() + q * WIDTH;
+    const int *particle = bonds.particle.data() + q * LANES;
     const int n = bonds.valid[q];
     constexpr bool HEATED = THERMAL == ThermalStrain::BOND;
     const Matrix<D, Lanes> H = bonds.fit.empty()
@@ -171,7 +171,7 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
     if (out.force_row) {
       const Matrix<D, Lanes> PK = product(P, own.shape_inverse());
       const Lanes volume = own.volume(), chi = own.chi();
-      double row[D * D + 1][WIDTH];
+      double row[D * D + 1][LANES];
       for (int i = 0; i < D; i++)
         for (int j = 0; j < D; j++) store(row[i * D + j], volume * PK[i][j] - chi * H[i][j]);
       store(row[D * D], chi);
@@ -230,14 +230,14 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
   const double alpha2 = 0.5 * viscosity.alpha2 / viscosity.kappa;
   for (int q = 0; q < bonds.count(); q++) {
     const Own<D> own(bonds, q, kinematic);
-    const int *particle = bonds.particle.data() + q * WIDTH;
+    const int *particle = bonds.particle.data() + q * LANES;
     Lanes mine[R::FORCE], his[R::FORCE], other[8], total[D], work[6], heat = broadcast(0.0);
     load_rows<N>(force_row, R::FORCE, particle, mine);
     for (auto &t : total) t = broadcast(0.0);
     if constexpr (VIRIAL)
       for (auto &t : work) t = broadcast(0.0);
     for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
-      const size_t at = (size_t) b * WIDTH;
+      const size_t at = (size_t) b * LANES;
       const int *partner = bonds.partner.data() + at;
       const BondRow<D, THERMAL, THERMAL || VISCOUS> bond(own.row, kinematic, partner, other);
       load_rows<N>(force_row, R::FORCE, partner, his);
@@ -302,7 +302,7 @@ double energies(const Slices &bonds, const double *kinematic, double *energy)
         MODE == ThermalStrain::CONSTITUTIVE ? own.thermal_strain() : broadcast(0.0);
     Lanes penalty = broadcast(0.0), other[8];
     for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
-      const size_t at = (size_t) b * WIDTH;
+      const size_t at = (size_t) b * LANES;
       const BondRow<D, THERMAL> bond(own.row, kinematic, bonds.partner.data() + at, other);
       Lanes sum = broadcast(0.0);
       for (int i = 0; i < D; i++) {
@@ -316,7 +316,7 @@ double energies(const Slices &bonds, const double *kinematic, double *energy)
         0.5 * own.chi() * penalty;
     for (int l = 0; l < bonds.valid[q]; l++) {
       sum += total[l];
-      if (energy) energy[bonds.particle[q * WIDTH + l]] = total[l];
+      if (energy) energy[bonds.particle[q * LANES + l]] = total[l];
     }
   }
   return sum;

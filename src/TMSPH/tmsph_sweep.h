@@ -85,11 +85,13 @@ struct Slices {
 
   int count() const { return (int) valid.size(); }
   /// position of bond number b of the particle in lane l of slice q
-  size_t at(int q, int l, int b) const { return ((size_t) offset[q] + b) * WIDTH + l; }
-  /// constants of local particle i, WIDTH apart, where the slices hold all of them in their order
+  size_t at(int q, int l, int b) const { return ((size_t) offset[q] + b) * LANES + l; }
+  /// of bond k of local particle i, where the slices hold all of them in their order
+  size_t at(int i, int k) const { return at(i / LANES, i % LANES, k); }
+  /// constants of local particle i, LANES apart, in such slices
   template <int D> const double *constants(int i) const
   {
-    return own.data() + (size_t) (i / WIDTH) * CONSTANTS<D> * WIDTH + i % WIDTH;
+    return own.data() + (size_t) (i / LANES) * CONSTANTS<D> * LANES + i % LANES;
   }
   size_t bytes() const
   {
@@ -104,7 +106,7 @@ template <int D> inline Matrix<D, double> shape_inverse(const double *own)
 {
   Matrix<D, double> K;
   for (int a = 0, entry = 0; a < D; a++)
-    for (int b = a; b < D; b++) K[a][b] = K[b][a] = own[WIDTH * entry++];
+    for (int b = a; b < D; b++) K[a][b] = K[b][a] = own[LANES * entry++];
   return K;
 }
 

@@ -163,16 +163,16 @@ template <int D> struct Layout {
 
   /** @param hourglass zeta: chi = zeta E
       @param lanes     particles per slice, the others are pads */
-  Layout(const Body<D> &body, double hourglass, int lanes = TMSPH::WIDTH)
+  Layout(const Body<D> &body, double hourglass, int lanes = TMSPH::LANES)
   {
     using R = TMSPH::Rows<D>;
-    using TMSPH::WIDTH;
+    using TMSPH::LANES;
     const int n = body.size();
     bonds.offset.push_back(0);
     for (int first = 0; first < n; first += lanes) {
       const int q = bonds.count(), valid = std::min(lanes, n - first);
       size_t rows = 0;
-      std::vector<int> family[WIDTH];
+      std::vector<int> family[LANES];
       for (int l = 0; l < valid; l++) {
         for (int j = 0; j < n; j++)
           if (j != first + l &&
@@ -182,10 +182,10 @@ template <int D> struct Layout {
       }
       bonds.valid.push_back(valid);
       bonds.offset.push_back(bonds.offset.back() + (int) rows);
-      bonds.partner.resize((size_t) bonds.offset.back() * WIDTH);
+      bonds.partner.resize((size_t) bonds.offset.back() * LANES);
       bonds.weight.resize(bonds.partner.size());
-      bonds.own.resize((size_t) (q + 1) * TMSPH::CONSTANTS<D> * WIDTH, 0.0);
-      for (int l = 0; l < WIDTH; l++) {
+      bonds.own.resize((size_t) (q + 1) * TMSPH::CONSTANTS<D> * LANES, 0.0);
+      for (int l = 0; l < LANES; l++) {
         const int i = l < valid ? first + l : first;
         bonds.particle.push_back(i);
         for (size_t b = 0; b < rows; b++) {
@@ -194,7 +194,7 @@ template <int D> struct Layout {
           bonds.weight[bonds.at(q, l, b)] = here ? body.W(i, family[l][b]) : 0.0f;
         }
         if (l < valid) set_constants(body, hourglass, i, bonds.own.data() +
-                                     (size_t) q * TMSPH::CONSTANTS<D> * WIDTH + l);
+                                     (size_t) q * TMSPH::CONSTANTS<D> * LANES + l);
       }
     }
     kinematic.assign((size_t) n * R::KINEMATIC, 0.0);
@@ -221,7 +221,7 @@ template <int D> struct Layout {
     const Particle<D> &p = body.p[i];
     const Square<D> inverse = p.singular ? Square<D>(Square<D>::Zero()) : body.shape(i).inverse();
     int entry = 0;
-    const auto put = [&](double value) { own[TMSPH::WIDTH * entry++] = value; };
+    const auto put = [&](double value) { own[TMSPH::LANES * entry++] = value; };
     for (int a = 0; a < D; a++)
       for (int b = a; b < D; b++) put(inverse(a, b));
     put(p.volume);

@@ -117,7 +117,7 @@ template <int D> struct Heated {
   std::vector<double> T, k;
   std::vector<float> G;
 
-  explicit Heated(int lanes = WIDTH) : layout(body, 0.0, lanes)
+  explicit Heated(int lanes = LANES) : layout(body, 0.0, lanes)
   {
     std::mt19937_64 engine(5);
     std::uniform_real_distribution<double> uniform(0.0, 100.0);

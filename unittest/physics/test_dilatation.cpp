@@ -31,7 +31,7 @@ template <class Dimension> class Averaging : public ::testing::Test {
         for (int b = 0; b < bonds.offset[q + 1] - bonds.offset[q]; b++) {
           const size_t at = bonds.at(q, l, b);
           if (bonds.weight[at] != 0.0f)
-            bonds.averaging[at] = body.M(bonds.particle[q * WIDTH + l], bonds.partner[at]);
+            bonds.averaging[at] = body.M(bonds.particle[q * LANES + l], bonds.partner[at]);
         }
   }
 

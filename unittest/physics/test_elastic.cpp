@@ -225,10 +225,10 @@ TYPED_TEST(Elasticity, almansi_is_its_definition)
 TYPED_TEST(Elasticity, eight_lanes_equal_one)
 {
   constexpr int D = TestFixture::D;
-  Square<D> H[WIDTH];
+  Square<D> H[LANES];
   Matrix<D, Lanes> many;
   Lanes lambda, shear, thermal;
-  for (int l = 0; l < WIDTH; l++) {
+  for (int l = 0; l < LANES; l++) {
     H[l] = random_matrix<D>(this->engine, 0.1);
     for (int i = 0; i < D; i++)
       for (int j = 0; j < D; j++) many[i][j][l] = H[l](i, j);
@@ -241,7 +241,7 @@ TYPED_TEST(Elasticity, eight_lanes_equal_one)
     const auto P = Law::first_piola(many, lambda, shear, thermal);
     const auto sigma = cauchy(P, deformation(many));
     const auto energy = Law::energy(many, lambda, shear, thermal);
-    for (int l = 0; l < WIDTH; l++) {
+    for (int l = 0; l < LANES; l++) {
       const double a = lambda[l], b = shear[l], t = thermal[l];
       const auto alone = Law::first_piola(plain<D>(H[l]), a, b, t);
       const auto sigma_alone = cauchy(alone, deformation(plain<D>(H[l])));

@@ -21,7 +21,7 @@ template <int D> struct Swept {
   int inverted = -1;
 
   Swept(const Body<D> &body, const Features &on, double zeta, const Viscosity &viscosity,
-        int lanes = WIDTH)
+        int lanes = LANES)
   {
     Layout<D> layout(body, zeta, lanes);
     const size_t n = body.size();
