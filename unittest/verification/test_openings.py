@@ -16,11 +16,11 @@ SPEED = np.sqrt(1.12 * YOUNG / DENSITY)
 ROCK = f"tensile * {TENSILE} energy * {ENERGY}"
 
 
-def turned_lattice(name, angle, spacing, inside):
-    cloud = lattice(name, (120, 120), spacing, centre=True)
+def turned_lattice(name, angle, spacing, inside, shift=0.3, cells=120):
+    cloud = lattice(name, (cells, cells), spacing, centre=True)
     c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     # off the middle, where a lattice that is not turned would have particles on the edges
-    cloud.X = cloud.X @ np.array([[c, s], [-s, c]]) + [0.3 * spacing, 0.3 * spacing]
+    cloud.X = cloud.X @ np.array([[c, s], [-s, c]]) + shift * spacing
     return cloud.kept(inside)
 
 
