@@ -9,10 +9,10 @@
 #include "fix_tmsph_bond.h"
 #include "force.h"
 #include "pair_tmsph.h"
+#include "tmsph_words.h"
 #include "update.h"
 
 #include <cmath>
-#include <map>
 
 using namespace LAMMPS_NS;
 
@@ -22,36 +22,23 @@ ComputeTMSPHBondLocal::ComputeTMSPHBondLocal(LAMMPS *lmp, int narg, char **arg) 
     Compute(lmp, narg, arg), wanted(-1), pair(nullptr)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "compute tmsph/bond/local", error);
-  const std::map<std::string, Word> known = {{"id1", ID1},
-                                             {"id2", ID2},
-                                             {"state", STATE},
-                                             {"length", LENGTH},
-                                             {"stretch", STRETCH}};
-  const std::map<std::string, int> states = {{"all", -1},
-                                             {"intact", FixTMSPHBond::INTACT},
-                                             {"broken", FixTMSPHBond::BROKEN},
-                                             {"cut", FixTMSPHBond::CUT}};
-  for (int iarg = 3; iarg < narg; iarg++) {
-    const std::string word = arg[iarg];
-    if (word == "only") {
-      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "compute tmsph/bond/local only", error);
-      const auto state = states.find(arg[++iarg]);
-      if (state == states.end())
-        error->all(FLERR,
-                   "Unknown value '{}' of compute tmsph/bond/local only: use all, intact, broken "
-                   "or cut",
-                   arg[iarg]);
-      wanted = state->second;
-      continue;
-    }
-    const auto found = known.find(word);
-    if (found == known.end())
-      error->all(FLERR,
-                 "Unknown word '{}' of compute tmsph/bond/local: use id1, id2, state, length, "
-                 "stretch or only",
-                 word);
-    words.push_back(found->second);
-  }
+  const auto column = [this](const char *name, Word word) {
+    return TMSPHWord{name, "", [this, word](TMSPHValues &) { words.push_back(word); }};
+  };
+  TMSPHWords(lmp, "compute tmsph/bond/local",
+             {column("id1", ID1),
+              column("id2", ID2),
+              column("state", STATE),
+              column("length", LENGTH),
+              column("stretch", STRETCH),
+              {"only", "state",
+               [this](TMSPHValues &v) {
+                 wanted = v.one_of<int>({{"all", -1},
+                                         {"intact", FixTMSPHBond::INTACT},
+                                         {"broken", FixTMSPHBond::BROKEN},
+                                         {"cut", FixTMSPHBond::CUT}});
+               }}})
+      .read_all(arg + 3, arg + narg);
   if (words.empty()) utils::missing_cmd_args(FLERR, "compute tmsph/bond/local", error);
   local_flag = 1;
   size_local_cols = words.size() == 1 ? 0 : words.size();

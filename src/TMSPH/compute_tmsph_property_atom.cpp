@@ -14,27 +14,23 @@
 #include "modify.h"
 #include "pair_tmsph.h"
 #include "tmsph_principal.h"
+#include "tmsph_words.h"
 #include "update.h"
 
 #include <cmath>
 
 using namespace LAMMPS_NS;
 
-static constexpr const char *STRESS_WORDS[6] = {"sxx", "syy", "szz", "sxy", "sxz", "syz"};
-static constexpr const char *GRADIENT_WORDS[9] = {"Fxx", "Fxy", "Fxz", "Fyx", "Fyy",
-                                                  "Fyz", "Fzx", "Fzy", "Fzz"};
-
 /* ---------------------------------------------------------------------- */
 
 ComputeTMSPHPropertyAtom::ComputeTMSPHPropertyAtom(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg), needs_stress(false), needs_rock(false), nmax(0), vector(nullptr),
-    array(nullptr), pair(nullptr), breaking(nullptr), gradient(nullptr)
+    Compute(lmp, narg, arg), needs_stress(false), nmax(0), vector(nullptr), array(nullptr),
+    pair(nullptr), breaking(nullptr), gradient(nullptr)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "compute tmsph/property/atom", error);
   peratom_flag = 1;
-  for (int iarg = 3; iarg < narg; iarg++) words.emplace_back(arg[iarg]);
-  size_peratom_cols = words.size() == 1 ? 0 : words.size();
-  make_columns();    // unknown words are told now, not at the first output
+  TMSPHWords(lmp, "compute tmsph/property/atom", fields()).read_all(arg + 3, arg + narg);
+  size_peratom_cols = columns.size() == 1 ? 0 : columns.size();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -61,85 +57,77 @@ void ComputeTMSPHPropertyAtom::init()
 void ComputeTMSPHPropertyAtom::find_rock()
 {
   breaking = FixTMSPHBreak::find(lmp);
-  for (const auto &word : words) {
-    if (word != "strength" && word != "load") continue;
-    if (!breaking)
-      error->all(FLERR,
-                 "Word '{}' of compute tmsph/property/atom needs a fix that breaks bonds, such as "
-                 "tmsph/hoekbrown", word);
-    needs_rock = true;
-  }
+  if (!needs_rock.empty() && !breaking)
+    error->all(FLERR,
+               "Word '{}' of compute tmsph/property/atom needs a fix that breaks bonds, such as "
+               "tmsph/hoekbrown",
+               needs_rock);
 }
 
 /* ----------------------------------------------------------------------
-   the function behind each word
+   each word with the function of a particle behind it
 ------------------------------------------------------------------------- */
 
-void ComputeTMSPHPropertyAtom::make_columns()
+std::vector<TMSPHWord> ComputeTMSPHPropertyAtom::fields()
 {
-  for (const auto &word : words) columns.push_back(column(word));
-}
-
-/* ---------------------------------------------------------------------- */
-
-ComputeTMSPHPropertyAtom::Column ComputeTMSPHPropertyAtom::column(const std::string &word)
-{
-  for (int k = 0; k < 3; k++) {
-    const char axis = "xyz"[k];
-    if (word == std::string("u") + axis)
-      return [this, k](int i) {
-        double unwrapped[3];
-        domain->unmap(atom->x[i], atom->image[i], unwrapped);
-        return unwrapped[k] - atom->x0[i][k];
-      };
-    if (word == std::string(1, axis) + "0") return [this, k](int i) { return atom->x0[i][k]; };
-  }
-  if (word == "temperature") return [this](int i) { return atom->temperature[i]; };
-  if (word == "damage") return [this](int i) { return atom->damage[i]; };
-  if (word == "volume") return [this](int i) { return atom->vfrac[i]; };
-  if (word == "radius") return [this](int i) { return 0.5 * pair->bonds()->spacing(i); };
-  const auto bonds_in = [this](FixTMSPHBond::State state) {
-    return [this, state](int i) { return (double) pair->bonds()->count_in(i, 1u << state); };
+  enum { STRESS = 1, ROCK = 2 };    // what it needs
+  std::vector<TMSPHWord> words;
+  const auto add = [&](const std::string &name, int needs, Column column) {
+    words.push_back({name, "", [this, name, needs, column](TMSPHValues &) {
+                       columns.push_back(column);
+                       needs_stress = needs_stress || (needs & STRESS);
+                       if (needs & ROCK) needs_rock = name;
+                     }});
   };
-  if (word == "nbond") return bonds_in(FixTMSPHBond::INTACT);
-  if (word == "nbroken") return bonds_in(FixTMSPHBond::BROKEN);
-  if (word == "ncut") return bonds_in(FixTMSPHBond::CUT);
-  if (word == "strength") return [this](int i) { return breaking->strength(i); };
-
-  needs_stress = true;
-  if (word == "load")
-    return [this](int i) { return breaking->load_factor(i, &full_stress[6 * (size_t) i]); };
-  for (int k = 0; k < 6; k++)
-    if (word == STRESS_WORDS[k])
-      return [this, k](int i) { return full_stress[6 * (size_t) i + k]; };
-  for (int k = 0; k < 9; k++)
-    if (word == GRADIENT_WORDS[k])
-      return [this, k](int i) {
-        const int d = domain->dimension, row = k / 3, col = k % 3;
+  const auto add_count = [&](const char *name, FixTMSPHBond::State state) {
+    add(name, 0, [this, state](int i) { return (double) pair->bonds()->count_in(i, 1u << state); });
+  };
+  const std::string axes = "xyz";
+  for (int k = 0; k < 3; k++)
+    add(std::string("u") + axes[k], 0, [this, k](int i) {
+      double unwrapped[3];
+      domain->unmap(atom->x[i], atom->image[i], unwrapped);
+      return unwrapped[k] - atom->x0[i][k];
+    });
+  for (int k = 0; k < 3; k++)
+    add(axes[k] + std::string("0"), 0, [this, k](int i) { return atom->x0[i][k]; });
+  add("temperature", 0, [this](int i) { return atom->temperature[i]; });
+  add("volume", 0, [this](int i) { return atom->vfrac[i]; });
+  add("radius", 0, [this](int i) { return 0.5 * pair->bonds()->spacing(i); });
+  add("damage", 0, [this](int i) { return atom->damage[i]; });
+  add_count("nbond", FixTMSPHBond::INTACT);
+  add_count("nbroken", FixTMSPHBond::BROKEN);
+  add_count("ncut", FixTMSPHBond::CUT);
+  int n = 0;
+  for (const char *name : {"sxx", "syy", "szz", "sxy", "sxz", "syz"}) {
+    add(name, STRESS, [this, n](int i) { return full_stress[6 * (size_t) i + n]; });
+    n++;
+  }
+  for (int k = 0; k < 3; k++)    // s1 is the most tensile
+    add("s" + std::to_string(k + 1), STRESS,
+        [this, k](int i) { return principal[3 * (size_t) i + k]; });
+  add("smean", STRESS, [this](int i) {
+    const double *s = &full_stress[6 * (size_t) i];
+    return (s[0] + s[1] + s[2]) / 3.0;
+  });
+  add("vonmises", STRESS, [this](int i) {
+    const double *p = &principal[3 * (size_t) i];
+    return std::sqrt(0.5 *
+                     ((p[0] - p[1]) * (p[0] - p[1]) + (p[1] - p[2]) * (p[1] - p[2]) +
+                      (p[2] - p[0]) * (p[2] - p[0])));
+  });
+  for (int row = 0; row < 3; row++)
+    for (int col = 0; col < 3; col++)
+      add(std::string("F") + axes[row] + axes[col], STRESS, [this, row, col](int i) {
+        const int d = domain->dimension;
         const double identity = row == col ? 1.0 : 0.0;
         if (row >= d || col >= d) return identity;
         return identity + gradient[(size_t) i * d * d + row * d + col];
-      };
-  for (int k = 0; k < 3; k++)    // s1 is the most tensile
-    if (word == std::string("s") + "123"[k])
-      return [this, k](int i) { return principal[3 * (size_t) i + k]; };
-  if (word == "smean")
-    return [this](int i) {
-      const double *s = &full_stress[6 * (size_t) i];
-      return (s[0] + s[1] + s[2]) / 3.0;
-    };
-  if (word == "vonmises")
-    return [this](int i) {
-      const double *p = &principal[3 * (size_t) i];
-      return std::sqrt(0.5 * ((p[0] - p[1]) * (p[0] - p[1]) + (p[1] - p[2]) * (p[1] - p[2]) +
-                              (p[2] - p[0]) * (p[2] - p[0])));
-    };
-  error->all(FLERR,
-             "Unknown word '{}' of compute tmsph/property/atom: use ux uy uz x0 y0 z0 temperature "
-             "volume radius damage nbond nbroken ncut sxx syy szz sxy sxz syz s1 s2 s3 smean "
-             "vonmises Fxx to Fzz strength or load",
-             word);
-  return nullptr;
+      });
+  add("strength", ROCK, [this](int i) { return breaking->strength(i); });
+  add("load", STRESS | ROCK,
+      [this](int i) { return breaking->load_factor(i, &full_stress[6 * (size_t) i]); });
+  return words;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -173,7 +161,7 @@ void ComputeTMSPHPropertyAtom::compute_peratom()
   invoked_peratom = update->ntimestep;
   pair = PairTMSPH::laid_out(lmp, "Compute tmsph/property/atom");
   find_rock();
-  if (needs_rock) breaking->find_strengths();
+  if (!needs_rock.empty()) breaking->find_strengths();
   const int ncols = columns.size();
   if (atom->nmax > nmax) {
     nmax = atom->nmax;

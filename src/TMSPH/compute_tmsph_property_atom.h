@@ -31,17 +31,15 @@ class ComputeTMSPHPropertyAtom : public Compute {
 
  private:
   using Column = std::function<double(int)>;
-  std::vector<std::string> words;
   std::vector<Column> columns;
-  bool needs_stress;    // one of the words is a stress or a deformation gradient
-  bool needs_rock;      // or a strength or a load factor
+  bool needs_stress;         // one of the words is a stress or a deformation gradient
+  std::string needs_rock;    // one that is a strength or a load factor, or empty
   int nmax;
   double *vector, **array;
   class PairTMSPH *pair;
   class FixTMSPHBreak *breaking;
 
-  Column column(const std::string &word);
-  void make_columns();
+  std::vector<struct TMSPHWord> fields();
   void find_rock();
 
   // stress and deformation gradient of this call, and the principal stresses

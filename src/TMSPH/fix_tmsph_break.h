@@ -115,7 +115,7 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
   std::vector<double *> event_rows;
 
   void parse(int, char **);
-  bool parse_general(int &iarg, int narg, char **arg);
+  void read_weibull(class TMSPHValues &);
   void follow_layout();
   TMSPH::Principals principals(const double *stress, double zz) const;
   TMSPH::Principals principals_of(int i, const double *stress) const;

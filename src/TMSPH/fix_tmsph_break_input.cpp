@@ -12,7 +12,7 @@
 #include "fix_tmsph_bond.h"
 #include "tmsph_report.h"
 #include "tmsph_restart.h"
-#include "tmsph_types.h"
+#include "tmsph_words.h"
 #include "update.h"
 
 #include <algorithm>
@@ -62,8 +62,7 @@ FixTMSPHBreak::FixTMSPHBreak(LAMMPS *lmp, int narg, char **arg,
 }
 
 /* ----------------------------------------------------------------------
-   keywords: each word of the criterion TYPES value, weibull TYPES omega seed,
-   principal inplane|all
+   words of the criterion, and those that all of them share
 ------------------------------------------------------------------------- */
 
 void FixTMSPHBreak::parse(int narg, char **arg)
@@ -71,99 +70,66 @@ void FixTMSPHBreak::parse(int narg, char **arg)
   if (igroup != 0)
     error->all(FLERR, "Fix {} works on all particles: use group all and give each type its rock",
                style);
-  const auto &words = criterion->words();
+  const auto &constants = criterion->words();
   std::vector<std::vector<double>> values(atom->ntypes + 1);
   for (auto &one : values)
-    for (const auto &word : words) one.push_back(word.standard);
-
-  for (int iarg = 3; iarg < narg;) {
-    if (parse_general(iarg, narg, arg)) continue;
-    const std::string name = arg[iarg];
-    const auto word = std::find_if(words.begin(), words.end(),
-                                   [&](const TMSPH::CriterionWord &w) { return w.name == name; });
-    if (word == words.end()) {
-      std::string known;
-      for (const auto &w : words) known += std::string(w.name) + ", ";
-      error->all(FLERR, "Unknown keyword '{}' of fix {}: use {}weibull or principal", name, style,
-                 known);
-    }
-    if (iarg + 3 > narg)
-      utils::missing_cmd_args(FLERR, fmt::format("fix {} {}", style, name), error);
-    int lo, hi;
-    TMSPH::read_types(lmp, fmt::format("Fix {} {}", style, name), name + " * value", arg[iarg + 1],
-                      lo, hi);
-    const double value = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
-    if (!word->allows(value))
-      error->all(FLERR, "Fix {} {} {} is out of range: {}", style, name, arg[iarg + 2], word->rule);
-    for (int type = lo; type <= hi; type++) values[type][word - words.begin()] = value;
-    iarg += 3;
-  }
+    for (const auto &constant : constants) one.push_back(constant.standard);
+  std::vector<TMSPHWord> words;
+  for (size_t k = 0; k < constants.size(); k++)
+    words.push_back({constants[k].name, "I value", [&values, &constants, k](TMSPHValues &v) {
+                       int lo, hi;
+                       v.types(lo, hi);
+                       const double value =
+                           v.number(constants[k].allows,
+                                    fmt::format("is out of range: {}", constants[k].rule));
+                       for (int type = lo; type <= hi; type++) values[type][k] = value;
+                     }});
+  const auto opens_with = [this](double Rock::*given, double Rock::*other) {
+    return [this, given, other](TMSPHValues &v) {
+      int lo, hi;
+      v.types(lo, hi);
+      const double value = v.number(TMSPHRule::positive, "is out of range: it must be positive");
+      for (int type = lo; type <= hi; type++) {
+        rocks[type].*given = value;
+        rocks[type].*other = 0.0;
+      }
+    };
+  };
+  words.push_back({"energy", "I value", opens_with(&Rock::energy, &Rock::toughness)});
+  words.push_back({"toughness", "I value", opens_with(&Rock::toughness, &Rock::energy)});
+  words.push_back({"weibull", "I modulus seed", [this](TMSPHValues &v) { read_weibull(v); }});
+  words.push_back({"principal", "inplane/all", [this](TMSPHValues &v) {
+                     all_principals = v.one_of<bool>({{"inplane", false}, {"all", true}});
+                   }});
+  TMSPHWords(lmp, std::string("fix ") + style, std::move(words)).read_all(arg + 3, arg + narg);
 
   for (int type = 1; type <= atom->ntypes; type++) {
-    for (size_t k = 0; k < words.size(); k++)
+    for (size_t k = 0; k < constants.size(); k++)
       if (values[type][k] == TMSPH::REQUIRED)
-        error->all(FLERR, "Fix {} lacks the {} of type {}: add '{} {} value'", style, words[k].name,
-                   type, words[k].name, type);
+        error->all(FLERR, "Fix {} lacks the {} of type {}: add '{} {} value'", style,
+                   constants[k].name, type, constants[k].name, type);
     rocks[type].strength = values[type][0];
     criterion->add(values[type]);
     one_rock = one_rock && criterion->alike(type, 1);
   }
 }
 
-/* ----------------------------------------------------------------------
-   a word that does not depend on the criterion: true if there was one
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-bool FixTMSPHBreak::parse_general(int &iarg, int narg, char **arg)
+void FixTMSPHBreak::read_weibull(TMSPHValues &values)
 {
-  const std::string word = arg[iarg];
-  if (word == "principal") {
-    if (iarg + 1 >= narg)
-      utils::missing_cmd_args(FLERR, fmt::format("fix {} principal", style), error);
-    if (strcmp(arg[iarg + 1], "all") != 0 && strcmp(arg[iarg + 1], "inplane") != 0)
-      error->all(FLERR, "Unknown value '{}' of fix {} principal: use inplane or all", arg[iarg + 1],
-                 style);
-    all_principals = strcmp(arg[iarg + 1], "all") == 0;
-    iarg += 2;
-    return true;
-  }
-  if (word == "energy" || word == "toughness") {
-    if (iarg + 3 > narg)
-      utils::missing_cmd_args(FLERR, fmt::format("fix {} {}", style, word), error);
-    int lo, hi;
-    TMSPH::read_types(lmp, fmt::format("Fix {} {}", style, word), word + " * value", arg[iarg + 1],
-                      lo, hi);
-    const double value = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
-    if (!(value > 0.0) || std::isinf(value))
-      error->all(FLERR, "Fix {} {} {} is out of range: it must be positive", style, word,
-                 arg[iarg + 2]);
-    for (int type = lo; type <= hi; type++) {
-      rocks[type].energy = word == "energy" ? value : 0.0;
-      rocks[type].toughness = word == "energy" ? 0.0 : value;
-    }
-    iarg += 3;
-    return true;
-  }
-  if (word != "weibull") return false;
-  if (iarg + 4 > narg) utils::missing_cmd_args(FLERR, fmt::format("fix {} weibull", style), error);
   int lo, hi;
-  TMSPH::read_types(lmp, fmt::format("Fix {} weibull", style), "weibull * modulus seed",
-                    arg[iarg + 1], lo, hi);
-  const double modulus = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+  values.types(lo, hi);
   // (-ln U)^(1/omega) and its square must be numbers for all U of double precision
-  if (!(modulus >= 0.1))
-    error->all(FLERR, "Fix {} weibull {} is out of range: the Weibull modulus must be at least "
-                      "0.1; 10 is usual",
-               style, arg[iarg + 2]);
-  const int seed = utils::inumeric(FLERR, arg[iarg + 3], false, lmp);
-  if (seed <= 0)
-    error->all(FLERR, "Fix {} weibull seed {} must be a positive integer", style, arg[iarg + 3]);
+  const double modulus =
+      values.number([](double value) { return value >= 0.1; },
+                    "is out of range: the Weibull modulus must be at least 0.1; 10 is usual");
+  const int seed = values.integer();
+  if (seed <= 0) values.reject(fmt::format("seed {}", seed), "must be a positive integer");
   for (int type = lo; type <= hi; type++) {
     rocks[type].modulus = modulus;
     rocks[type].seed = seed;
   }
-  iarg += 4;
-  return true;
 }
 
 /* ----------------------------------------------------------------------

@@ -92,8 +92,8 @@ class FixTMSPHContact : public Fix,
   bool resumed;                     // the setup takes the forces of the last step again
 
   void parse(int, char **);
-  void parse_friction(char **);
-  void parse_choice(const std::string &word, const char *value);
+  void read_friction(class TMSPHValues &);
+  void read_method(TMSPHValues &);
   void follow(bool after_breaks);
   void list_pairs();
   bool facing() const { return outlines && outlines->any; }

@@ -14,7 +14,7 @@
 #include "modify.h"
 #include "tmsph_last_force.h"
 #include "tmsph_restart.h"
-#include "tmsph_types.h"
+#include "tmsph_words.h"
 #include "update.h"
 
 #include <algorithm>
@@ -71,72 +71,40 @@ FixTMSPHContact::~FixTMSPHContact()
 
 void FixTMSPHContact::parse(int narg, char **arg)
 {
-  int iarg = 3;
-  while (iarg < narg) {
-    const std::string word = arg[iarg];
-    const int words = word == "friction" ? 4 : 2;
-    if (word != "friction" && word != "self" && word != "stiffness" && word != "surface" &&
-        word != "law" && word != "method")
-      error->all(FLERR, "Unknown word '{}' of fix tmsph/contact: use friction, law, method, self, "
-                        "stiffness or surface", word);
-    if (iarg + words > narg)
-      utils::missing_cmd_args(
-          FLERR, "fix tmsph/contact " + word + (word == "friction" ? " I J mu" : ""), error);
-    if (word == "friction")
-      parse_friction(arg + iarg + 1);
-    else
-      parse_choice(word, arg[iarg + 1]);
-    iarg += words;
-  }
+  TMSPHWords(
+      lmp, "fix tmsph/contact",
+      {{"friction", "I J mu", [this](TMSPHValues &v) { read_friction(v); }},
+       {"law", "name", [this](TMSPHValues &v) { scene.law = v.one_of(TMSPH::contact_laws()); }},
+       {"method", "name", [this](TMSPHValues &v) { read_method(v); }},
+       {"self", "yes/no", [this](TMSPHValues &v) { scene.self = v.logical(); }},
+       {"stiffness", "factor",
+        [this](TMSPHValues &v) {
+          scene.stiffness =
+              v.number(TMSPHRule::positive, "must be positive: it is a factor to the default");
+        }},
+       {"surface", "region-ID", [this](TMSPHValues &v) { surfaces.add_region(v.text()); }}})
+      .read_all(arg + 3, arg + narg);
 }
 
-/* ----------------------------------------------------------------------
-   I J mu
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void FixTMSPHContact::parse_friction(char **arg)
+void FixTMSPHContact::read_friction(TMSPHValues &values)
 {
   int ilo, ihi, jlo, jhi;
-  const std::string what = "Fix tmsph/contact friction", usage = "friction * * mu";
-  TMSPH::read_types(lmp, what, usage, arg[0], ilo, ihi);
-  TMSPH::read_types(lmp, what, usage, arg[1], jlo, jhi);
-  const double value = utils::numeric(FLERR, arg[2], false, lmp);
-  if (!(value >= 0.0))
-    error->all(FLERR, "Fix tmsph/contact friction {} must not be negative", arg[2]);
+  values.types(ilo, ihi);
+  values.types(jlo, jhi);
+  const double value = values.number(TMSPHRule::not_negative, "must not be negative");
   for (int i = ilo; i <= ihi; i++)
     for (int j = jlo; j <= jhi; j++) scene.friction[i][j] = scene.friction[j][i] = value;
 }
 
-/* ----------------------------------------------------------------------
-   a word with one value
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void FixTMSPHContact::parse_choice(const std::string &word, const char *value)
+void FixTMSPHContact::read_method(TMSPHValues &values)
 {
-  const std::string name = value;
-  if (word == "method") {
-    if (name != "kernel" && name != "segment")
-      error->all(FLERR, "Unknown method '{}' of fix tmsph/contact: use kernel or segment", name);
-    if (name == "segment" && domain->dimension == 3)
-      error->all(FLERR, "Fix tmsph/contact method segment needs dimension 2: use method kernel "
-                        "in 3-D");
-    scene.segments = name == "segment";
-  } else if (word == "law") {
-    const TMSPH::ContactLaw *known = TMSPH::contact_law(name);
-    if (!known)
-      error->all(FLERR, "Unknown law '{}' of fix tmsph/contact: use {}", name,
-                 TMSPH::contact_laws());
-    scene.law = *known;
-  } else if (word == "surface") {
-    surfaces.add_region(name);
-  } else if (word == "self") {
-    scene.self = utils::logical(FLERR, value, false, lmp);
-  } else {
-    scene.stiffness = utils::numeric(FLERR, value, false, lmp);
-    if (!(scene.stiffness > 0.0))
-      error->all(FLERR, "Fix tmsph/contact stiffness {} must be positive: it is a factor to the "
-                        "default", value);
-  }
+  scene.segments = values.one_of<bool>({{"kernel", false}, {"segment", true}});
+  if (scene.segments && domain->dimension == 3)
+    values.reject("segment", "needs dimension 2: use method kernel in 3-D");
 }
 
 /* ---------------------------------------------------------------------- */

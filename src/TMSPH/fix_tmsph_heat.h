@@ -87,7 +87,6 @@ class FixTMSPHHeat : public Fix, public TMSPHHeatClock, public TMSPHReporter {
   bool told;
 
   void parse(int, char **);
-  void parse_setting(const std::string &word, const char *value);
   double find_diffusivities(class TMSPH::TextTable &, bool &strange);
   void warn_of_time_scale(double step, double diffusivity);
 };

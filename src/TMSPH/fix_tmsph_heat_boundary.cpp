@@ -16,6 +16,7 @@
 #include "pair_tmsph.h"
 #include "tmsph_conduction.h"
 #include "tmsph_region_surface.h"
+#include "tmsph_words.h"
 #include "update.h"
 #include "variable.h"
 
@@ -66,72 +67,58 @@ FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
 }
 
-/* ----------------------------------------------------------------------
-   temperature T | flux q | convection h T | radiation B T zero T0, where T and q may
-   be variables; keywords: place body|surface, region ID, facing x y z, area A, cracks yes|no
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 void FixTMSPHHeatBoundary::parse(int narg, char **arg)
 {
-  if (narg < 5) utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary", error);
-  const std::string what = arg[3];
-  int iarg = 4;
-  if (what == "temperature")
-    kind = TEMPERATURE;
-  else if (what == "flux")
-    kind = FLUX;
-  else if (what == "convection")
-    kind = CONVECTION;
-  else if (what == "radiation")
-    kind = RADIATION;
-  else
-    error->all(FLERR, "Unknown word '{}' of fix tmsph/heat/boundary: use temperature, flux, "
-                      "convection or radiation", what);
-  if (kind == CONVECTION || kind == RADIATION) {
-    if (narg < 6) utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary " + what, error);
-    coefficient = utils::numeric(FLERR, arg[iarg++], false, lmp);
-    if (!(coefficient >= 0.0 && std::isfinite(coefficient)))
+  const auto target = [this](TMSPHValues &v) {
+    if (!v.variable(variable)) value = v.number();
+  };
+  const std::string what = narg > 3 ? arg[3] : "";
+  const auto film = [&](TMSPHValues &v) {
+    coefficient = v.number();
+    if (!TMSPHRule::not_negative(coefficient))
       error->all(FLERR, "Coefficient {} of fix tmsph/heat/boundary {} must not be negative",
-                 arg[iarg - 1], what);
-  }
-  if (utils::strmatch(arg[iarg], "^v_"))
-    variable = arg[iarg] + 2;
-  else
-    value = utils::numeric(FLERR, arg[iarg], false, lmp);
+                 v.rest()[-1], what);
+    target(v);
+  };
+  const auto kind_of = [this](Kind which, std::function<void(TMSPHValues &)> read) {
+    return [this, which, read](TMSPHValues &v) {
+      kind = which;
+      read(v);
+    };
+  };
+  char **const next = TMSPHWords(lmp, "fix tmsph/heat/boundary",
+                                 {{"temperature", "T", kind_of(TEMPERATURE, target)},
+                                  {"flux", "q", kind_of(FLUX, target)},
+                                  {"convection", "h T", kind_of(CONVECTION, film)},
+                                  {"radiation", "B T", kind_of(RADIATION, film)}})
+                          .read(arg + 3, arg + narg);
+
   bool surface_words = false, zero_given = false;
-  int numbers;    // of values to the keyword
-  for (iarg++; iarg < narg; iarg += 1 + numbers) {
-    const std::string word = arg[iarg];
-    const auto known = {"place", "region", "facing", "area", "cracks", "zero"};
-    if (std::find(known.begin(), known.end(), word) == known.end())
-      error->all(FLERR, "Unknown keyword '{}' of fix tmsph/heat/boundary: use place, region, "
-                        "facing, area, cracks or zero", word);
-    numbers = word == "facing" ? 3 : 1;
-    if (iarg + numbers >= narg)
-      utils::missing_cmd_args(FLERR, "fix tmsph/heat/boundary " + word, error);
-    const char *given = arg[iarg + 1];
-    surface_words = surface_words || (word != "place" && word != "zero");
-    if (word == "place") {
-      if (strcmp(given, "body") != 0 && strcmp(given, "surface") != 0)
-        error->all(FLERR,
-                   "Unknown value '{}' of fix tmsph/heat/boundary place: use body or surface",
-                   given);
-      place = strcmp(given, "body") == 0 ? BODY : SURFACE;
-    } else if (word == "region")
-      region_id = given;
-    else if (word == "facing")
-      parse_direction(arg + iarg + 1);
-    else if (word == "cracks")
-      cracks = utils::logical(FLERR, given, false, lmp);
-    else if (word == "zero") {
-      absolute_zero = utils::numeric(FLERR, given, false, lmp);
-      zero_given = true;
-    } else {
-      given_area = utils::numeric(FLERR, given, false, lmp);
-      if (!(given_area > 0.0))
-        error->all(FLERR, "Fix tmsph/heat/boundary area {} must be positive", given);
-    }
-  }
+  const auto surface = [&surface_words](auto read) {
+    return [&surface_words, read](TMSPHValues &v) {
+      surface_words = true;
+      read(v);
+    };
+  };
+  TMSPHWords(lmp, "fix tmsph/heat/boundary",
+             {{"place", "body/surface",
+               [this](TMSPHValues &v) {
+                 place = v.one_of<Place>({{"body", BODY}, {"surface", SURFACE}});
+               }},
+              {"region", "region-ID", surface([this](TMSPHValues &v) { region_id = v.text(); })},
+              {"facing", "x y z", surface([this](TMSPHValues &v) { read_direction(v); })},
+              {"area", "A", surface([this](TMSPHValues &v) {
+                 given_area = v.number(TMSPHRule::positive, "must be positive");
+               })},
+              {"cracks", "yes/no", surface([this](TMSPHValues &v) { cracks = v.logical(); })},
+              {"zero", "T",
+               [&](TMSPHValues &v) {
+                 absolute_zero = v.number();
+                 zero_given = true;
+               }}})
+      .read_all(next, arg + narg);
   if (place == BODY && kind != TEMPERATURE)
     error->all(FLERR, "Fix tmsph/heat/boundary {} acts at the surface: remove 'place body'", what);
   if (place == BODY && surface_words)
@@ -145,16 +132,18 @@ void FixTMSPHHeatBoundary::parse(int narg, char **arg)
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHHeatBoundary::parse_direction(char **given)
+void FixTMSPHHeatBoundary::read_direction(TMSPHValues &values)
 {
   double square = 0.0;
   for (int a = 0; a < 3; a++) {
-    direction[a] = a < domain->dimension ? utils::numeric(FLERR, given[a], false, lmp) : 0.0;
+    const double given = values.number();
+    direction[a] = a < domain->dimension ? given : 0.0;
     square += direction[a] * direction[a];
   }
+  char **const end = values.rest();
   if (!(square > 0.0 && std::isfinite(square)))
-    error->all(FLERR, "Direction of fix tmsph/heat/boundary facing {} {} {} has no length: give "
-                      "that in which the face looks", given[0], given[1], given[2]);
+    values.reject(fmt::format("{} {} {}", end[-3], end[-2], end[-1]),
+                  "has no length: give the direction in which the face looks");
   for (double &d : direction) d /= std::sqrt(square);
   one_sided = true;
 }

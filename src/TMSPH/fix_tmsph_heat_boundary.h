@@ -70,7 +70,7 @@ class FixTMSPHHeatBoundary : public Fix,
   TMSPHBondWatch watch;     // of what was gone when it was found
 
   void parse(int, char **);
-  void parse_direction(char **);
+  void read_direction(class TMSPHValues &);
   FixTMSPHHeat *conduction() const;
   void evaluate();
   void find_surface();

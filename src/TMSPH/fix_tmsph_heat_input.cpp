@@ -12,11 +12,11 @@
 #include "error.h"
 #include "modify.h"
 #include "pair_tmsph.h"
+#include "tmsph_words.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -33,65 +33,34 @@ static constexpr double LEAST_STEP = 1.0e-3;
 
 static constexpr double LEAST_DIFFUSIVITY = 1.0e-8, MOST_DIFFUSIVITY = 4.0e-4;
 
-/* ----------------------------------------------------------------------
-   keywords: conductivity and specific/heat TYPES value, source TYPES value,
-   contact TYPES TYPES h, friction yes|no, viscous yes|no, subcycle explicit|rkl2,
-   time/scale S, every N
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 void FixTMSPHHeat::parse(int narg, char **arg)
 {
-  int iarg = 3;
-  while (iarg < narg) {
-    const std::string word = arg[iarg];
-    const bool by_type = word == "conductivity" || word == "specific/heat" || word == "source";
-    const auto others = {"contact", "friction", "viscous", "subcycle", "time/scale", "every"};
-    if (!by_type && std::find(others.begin(), others.end(), word) == others.end())
-      error->all(FLERR, "Unknown keyword '{}' of fix tmsph/heat: use conductivity, specific/heat, "
-                        "source, contact, friction, viscous, subcycle, time/scale or every", word);
-    if (iarg + (word == "contact" ? 3 : by_type ? 2 : 1) >= narg)
-      utils::missing_cmd_args(FLERR, "fix tmsph/heat " + word + (word == "contact" ? " I J h" : ""),
-                              error);
-    if (word == "source") {
-      sources.read(arg + iarg + 1);
-      iarg += 3;
-    } else if (by_type)
-      iarg = materials.read(word, iarg + 1, narg, arg);
-    else if (word == "contact") {
-      contacts.read(arg + iarg + 1);
-      iarg += 4;
-    } else {
-      parse_setting(word, arg[iarg + 1]);
-      iarg += 2;
-    }
-  }
+  TMSPHWords(
+      lmp, "fix tmsph/heat",
+      {{"conductivity", "I value", [this](TMSPHValues &v) { materials.read_conductivity(v); }},
+       {"specific/heat", "I value", [this](TMSPHValues &v) { materials.read_specific_heat(v); }},
+       {"source", "I value", [this](TMSPHValues &v) { sources.read(v); }},
+       {"contact", "I J h", [this](TMSPHValues &v) { contacts.read(v); }},
+       {"friction", "yes/no", [this](TMSPHValues &v) { contacts.set_friction(v.logical()); }},
+       {"viscous", "yes/no", [this](TMSPHValues &v) { viscous = v.logical(); }},
+       {"subcycle", "way",
+        [this](TMSPHValues &v) {
+          stepper.set_super_steps(v.one_of<bool>({{"explicit", false}, {"rkl2", true}}));
+        }},
+       {"time/scale", "S",
+        [this](TMSPHValues &v) { time_scale = v.number(TMSPHRule::positive, "must be positive"); }},
+       {"every", "N",
+        [this](TMSPHValues &v) {
+          every = v.integer();
+          if (every < 1) v.reject(std::to_string(every), "must be at least 1 step");
+        }}})
+      .read_all(arg + 3, arg + narg);
   if (viscous && every > 1)
     error->all(FLERR, "Fix tmsph/heat viscous takes the work of each step: remove 'every {}'",
                every);
   materials.check();
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHHeat::parse_setting(const std::string &word, const char *value)
-{
-  if (word == "friction")
-    contacts.set_friction(utils::logical(FLERR, value, false, lmp));
-  else if (word == "viscous")
-    viscous = utils::logical(FLERR, value, false, lmp);
-  else if (word == "subcycle") {
-    if (strcmp(value, "rkl2") != 0 && strcmp(value, "explicit") != 0)
-      error->all(FLERR, "Unknown value '{}' of fix tmsph/heat subcycle: use explicit or rkl2",
-                 value);
-    stepper.set_super_steps(strcmp(value, "rkl2") == 0);
-  } else if (word == "time/scale") {
-    time_scale = utils::numeric(FLERR, value, false, lmp);
-    if (!(time_scale > 0.0 && std::isfinite(time_scale)))
-      error->all(FLERR, "Fix tmsph/heat time/scale {} must be positive", value);
-  } else {
-    every = utils::inumeric(FLERR, value, false, lmp);
-    if (every < 1) error->all(FLERR, "Fix tmsph/heat every {} must be at least 1 step", value);
-  }
 }
 
 /* ----------------------------------------------------------------------

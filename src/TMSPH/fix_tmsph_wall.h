@@ -80,9 +80,7 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
   TMSPHWallPicture picture;
   bool started;                  // this or an earlier run has been set up
 
-  void parse(int, int, char **);
-  int words_of(const std::string &word) const;
-  void parse_choice(const std::string &word, const char *value);
+  void parse(char **next, char **last);
   void list_candidates();
   void act(double dt);
   void start();

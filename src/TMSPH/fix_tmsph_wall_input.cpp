@@ -14,6 +14,7 @@
 #include "tmsph_last_force.h"
 #include "tmsph_restart.h"
 #include "tmsph_wall_reader.h"
+#include "tmsph_words.h"
 
 #include <algorithm>
 #include <cstring>
@@ -36,9 +37,9 @@ FixTMSPHWall::FixTMSPHWall(LAMMPS *lmp, int narg, char **arg) :
     error->all(FLERR, "Fix tmsph/wall needs an atom style with volume and mass: atom_style tmsph");
   scene.id = id;
   scene.groupbit = groupbit;
-  int next;
-  scene.shape = TMSPHWallReader(lmp).read(narg, arg, next);
-  parse(next, narg, arg);
+  char **next;
+  scene.shape = TMSPHWallReader(lmp).read(arg + 3, arg + narg, next);
+  parse(next, arg + narg);
   scalar_flag = vector_flag = 1;
   size_vector = NOUTPUT;
   global_freq = 1;
@@ -62,57 +63,25 @@ FixTMSPHWall::~FixTMSPHWall()
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHWall::words_of(const std::string &word) const
+void FixTMSPHWall::parse(char **next, char **last)
 {
-  if (drive.words(word)) return drive.words(word);
-  if (word != "friction" && word != "side" && word != "law" && word != "stiffness")
-    error->all(FLERR, "Unknown word '{}' of fix tmsph/wall: use friction, side, velocity, "
-                      "rotation, load, law or stiffness", word);
-  return 2;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixTMSPHWall::parse(int iarg, int narg, char **arg)
-{
-  while (iarg < narg) {
-    const std::string word = arg[iarg];
-    const int words = words_of(word);
-    if (iarg + words > narg) utils::missing_cmd_args(FLERR, "fix tmsph/wall " + word, error);
-    if (drive.words(word))
-      drive.parse(word, arg + iarg + 1);
-    else
-      parse_choice(word, arg[iarg + 1]);
-    iarg += words;
-  }
-}
-
-/* ----------------------------------------------------------------------
-   a word with one value
-------------------------------------------------------------------------- */
-
-void FixTMSPHWall::parse_choice(const std::string &word, const char *value)
-{
-  const std::string name = value;
-  if (word == "friction") {
-    scene.friction = utils::numeric(FLERR, value, false, lmp);
-    if (!(scene.friction >= 0.0))
-      error->all(FLERR, "Fix tmsph/wall friction {} must not be negative", value);
-  } else if (word == "stiffness") {
-    scene.stiffness = utils::numeric(FLERR, value, false, lmp);
-    if (!(scene.stiffness > 0.0))
-      error->all(FLERR, "Fix tmsph/wall stiffness {} must be positive: it is a factor to the "
-                        "default", value);
-  } else if (word == "side") {
-    scene.both_sides = name == "both";
-    if (!scene.both_sides && name != "one")
-      error->all(FLERR, "Unknown value '{}' of fix tmsph/wall side: use one or both", name);
-  } else {
-    const ContactLaw *known = contact_law(name);
-    if (!known)
-      error->all(FLERR, "Unknown law '{}' of fix tmsph/wall: use {}", name, contact_laws());
-    scene.law = *known;
-  }
+  std::vector<TMSPHWord> words = {
+      {"friction", "mu",
+       [this](TMSPHValues &v) {
+         scene.friction = v.number(TMSPHRule::not_negative, "must not be negative");
+       }},
+      {"side", "one/both",
+       [this](TMSPHValues &v) {
+         scene.both_sides = v.one_of<bool>({{"one", false}, {"both", true}});
+       }},
+      {"law", "name", [this](TMSPHValues &v) { scene.law = v.one_of(contact_laws()); }},
+      {"stiffness", "factor", [this](TMSPHValues &v) {
+         scene.stiffness =
+             v.number(TMSPHRule::positive, "must be positive: it is a factor to the default");
+       }}};
+  const std::vector<TMSPHWord> motion = drive.words();
+  words.insert(words.begin() + 2, motion.begin(), motion.end());    // as on the page
+  TMSPHWords(lmp, "fix tmsph/wall", std::move(words)).read_all(next, last);
 }
 
 /* ---------------------------------------------------------------------- */

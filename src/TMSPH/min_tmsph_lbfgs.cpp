@@ -16,6 +16,7 @@
 #include "pair_tmsph.h"
 #include "timer.h"
 #include "tmsph_fixed_point.h"
+#include "tmsph_words.h"
 #include "update.h"
 
 #include <cmath>
@@ -45,11 +46,10 @@ MinTMSPHLBFGS::MinTMSPHLBFGS(LAMMPS *lmp) :
 int MinTMSPHLBFGS::modify_param(int narg, char **arg)
 {
   if (strcmp(arg[0], "memory") != 0) return 0;
-  if (narg < 2) utils::missing_cmd_args(FLERR, "min_modify memory", error);
-  const int memory = utils::inumeric(FLERR, arg[1], false, lmp);
+  TMSPHValues values(lmp, "min_modify memory", "steps", arg + 1, arg + narg);
+  const int memory = values.integer();
   if (memory < 1 || memory > 100)
-    error->all(FLERR, "Min_modify memory {} is out of range: give 1 to 100 steps to remember",
-               arg[1]);
+    values.reject(arg[1], "is out of range: give 1 to 100 steps to remember");
   lbfgs = TMSPH::LBFGS(memory);
   return 2;
 }

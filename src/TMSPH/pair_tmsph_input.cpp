@@ -17,6 +17,7 @@
 #include "neighbor.h"
 #include "tmsph_doubts.h"
 #include "tmsph_last_force.h"
+#include "tmsph_words.h"
 #include "update.h"
 
 #include <algorithm>
@@ -93,10 +94,7 @@ void PairTMSPH::settings(int narg, char **arg)
   run_report.forget_timestep();
 }
 
-/* ----------------------------------------------------------------------
-   pair_coeff I I elastic E nu density rho [expansion alpha] [reference T0] [horizon delta]
-   pair_coeff I J bonded|none
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 void PairTMSPH::coeff(int narg, char **arg)
 {
@@ -107,41 +105,37 @@ void PairTMSPH::coeff(int narg, char **arg)
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
 
-  const std::string what = arg[2];
-  if (what == "bonded" || what == "none") {
-    if (narg > 3)
-      error->all(FLERR, "Unexpected word '{}' after pair_coeff ... {}: remove it", arg[3], what);
+  const auto bond = [=](bool bonds) {
     for (int i = ilo; i <= ihi; i++)
       for (int j = jlo; j <= jhi; j++)
         if (i != j) {
-          set_bonded(i, j, what == "bonded");
+          set_bonded(i, j, bonds);
           setflag[std::min(i, j)][std::max(i, j)] = 1;
-        } else if (what == "none" && ilo == ihi && jlo == jhi)
+        } else if (!bonds && ilo == ihi && jlo == jhi)
           error->all(FLERR,
                      "Pair_coeff {} {} none would leave a material without bonds: give 'none' to "
                      "two different types",
                      i, j);
-    return;
-  }
-  if (what != "elastic")
-    error->all(FLERR,
-               "Unknown word '{}' in pair_coeff for pair style tmsph: use 'elastic E nu density "
-               "rho', 'bonded' or 'none'",
-               what);
-  const Material m = read_material(narg, arg);
-  int count = 0;
-  for (int i = ilo; i <= ihi; i++)
-    for (int j = std::max(jlo, i); j <= jhi; j++)
-      if (i == j) {
-        set_material(i, m);
-        setflag[i][i] = 1;
-        count++;
-      }
-  if (!count)
-    error->all(FLERR,
-               "Pair_coeff {} {} elastic: a material belongs to one type, give it as 'pair_coeff "
-               "{} {} elastic'; between types use 'bonded' or 'none'",
-               arg[0], arg[1], arg[0], arg[0]);
+  };
+  const auto elastic = [=](TMSPHValues &values) {
+    const Material m = read_material(values);
+    int count = 0;
+    for (int i = std::max(ilo, jlo); i <= std::min(ihi, jhi); i++) {
+      set_material(i, m);
+      setflag[i][i] = 1;
+      count++;
+    }
+    if (!count)
+      error->all(FLERR,
+                 "Pair_coeff {} {} elastic: a material belongs to one type, give it as 'pair_coeff "
+                 "{} {} elastic'; between types use 'bonded' or 'none'",
+                 arg[0], arg[1], arg[0], arg[0]);
+  };
+  TMSPHWords(lmp, "pair_coeff I J",
+             {{"elastic", "E nu [keywords]", elastic},
+              {"bonded", "", [&](TMSPHValues &) { bond(true); }},
+              {"none", "", [&](TMSPHValues &) { bond(false); }}})
+      .read_only(arg + 2, arg + narg);
 }
 
 /* ---------------------------------------------------------------------- */

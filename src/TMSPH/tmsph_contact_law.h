@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace TMSPH {
 
@@ -48,21 +50,12 @@ struct ContactLaw {
 constexpr ContactLaw CONTACT_LAWS[] = {
     {"implicit", true, 0.0, false}, {"penalty", false, 0.2, false}, {"paper", false, 0.0, true}};
 
-/// @return nullptr for a word that is none of the laws
-inline const ContactLaw *contact_law(const std::string &word)
+/// by their names
+inline std::vector<std::pair<std::string, ContactLaw>> contact_laws()
 {
-  for (const ContactLaw &law : CONTACT_LAWS)
-    if (word == law.name) return &law;
-  return nullptr;
-}
-
-/// their names, for an error
-inline std::string contact_laws()
-{
-  std::string names;
-  for (const ContactLaw &law : CONTACT_LAWS)
-    names += (names.empty() ? "" : " or ") + std::string(law.name);
-  return names;
+  std::vector<std::pair<std::string, ContactLaw>> all;
+  for (const ContactLaw &law : CONTACT_LAWS) all.emplace_back(law.name, law);
+  return all;
 }
 
 /** A force per area that depends on the penetration p of two surfaces stands for the half cells

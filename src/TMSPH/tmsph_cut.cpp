@@ -16,9 +16,9 @@
 #include "pair_tmsph.h"
 #include "tmsph_geometry.h"
 #include "tmsph_pi.h"
+#include "tmsph_words.h"
 
 #include <cmath>
-#include <map>
 
 using namespace LAMMPS_NS;
 using TMSPH::Point2;
@@ -35,7 +35,7 @@ void TMSPHCut::command(int narg, char **arg)
   if (igroup < 0)
     error->all(FLERR, "Group {} of tmsph/cut does not exist: define it first", arg[0]);
   const int groupbit = group->bitmask[igroup];
-  const Flaw flaw = read_flaw(narg - 1, arg + 1);
+  const Flaw flaw = read_flaw(arg + 1, arg + narg);
 
   auto pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
   if (!pair)
@@ -120,93 +120,97 @@ void TMSPHCut::prepare_bonds()
   modify->get_fix_by_id(FixTMSPHBond::ID)->setup_post_neighbor();
 }
 
-/* ----------------------------------------------------------------------
-   line x1 y1 x2 y2 | arc xc yc r from to | disc x y z nx ny nz r |
-   polygon n x1 y1 z1 ... xn yn zn
-   @return all numbers after the word
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-std::vector<double> TMSPHCut::read_numbers(int narg, char **arg)
+TMSPHCut::Flaw TMSPHCut::read_flaw(char **next, char **last)
 {
-  const std::string shape = arg[0];
-  const std::map<std::string, std::pair<int, int>> shapes = {    // dimension, numbers
-      {"line", {2, 4}}, {"arc", {2, 5}}, {"disc", {3, 7}}, {"polygon", {3, 0}}};
-  const auto known = shapes.find(shape);
-  if (known == shapes.end())
-    error->all(FLERR, "Unknown shape '{}' of tmsph/cut: use line or arc in 2-D, disc or polygon in "
-                      "3-D",
-               shape);
-  if (known->second.first != domain->dimension)
-    error->all(FLERR, "Shape {} of tmsph/cut is for dimension {}: use {}", shape,
-               known->second.first, domain->dimension == 2 ? "line or arc" : "disc or polygon");
-  int numbers = known->second.second;
-  if (shape == "polygon") {
-    if (narg < 2) utils::missing_cmd_args(FLERR, "tmsph/cut polygon", error);
-    const int corners = utils::inumeric(FLERR, arg[1], false, lmp);
-    if (corners < 3)
-      error->all(FLERR, "A polygon of tmsph/cut needs at least 3 corners, not {}", arg[1]);
-    numbers = 1 + 3 * corners;
-  }
-  if (narg < 1 + numbers) utils::missing_cmd_args(FLERR, "tmsph/cut " + shape, error);
-  if (narg > 1 + numbers)
-    error->all(FLERR, "Unexpected word '{}' after tmsph/cut {}: it takes {} numbers",
-               arg[1 + numbers], shape, numbers);
-  std::vector<double> v;
-  for (int k = 0; k < numbers; k++) v.push_back(utils::numeric(FLERR, arg[1 + k], false, lmp));
-  return v;
+  Flaw flaw;
+  if (domain->dimension == 2) flaw.bounds.low[2] = flaw.bounds.high[2] = 0.0;
+  TMSPHWords(
+      lmp, "tmsph/cut",
+      {{"line", "x1 y1 x2 y2", [&](TMSPHValues &v) { read_line(v, flaw); }, 2},
+       {"arc", "xc yc r from to", [&](TMSPHValues &v) { read_arc(v, flaw); }, 2},
+       {"disc", "x y z nx ny nz r", [&](TMSPHValues &v) { read_disc(v, flaw); }, 3},
+       {"polygon", "n [x1 y1 z1 ... xn yn zn]", [&](TMSPHValues &v) { read_polygon(v, flaw); }, 3}})
+      .read_only(next, last);
+  return flaw;
 }
 
 /* ---------------------------------------------------------------------- */
 
-TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
+static Point2 read_point2(TMSPHValues &values)
 {
-  const std::string shape = arg[0];
-  const std::vector<double> v = read_numbers(narg, arg);
-  Flaw flaw;
-  if (domain->dimension == 2) flaw.bounds.low[2] = flaw.bounds.high[2] = 0.0;
-  if (shape == "line") {
-    const Point2 p(v[0], v[1]), q(v[2], v[3]);
-    if (p == q) error->all(FLERR, "The line of tmsph/cut has no length: give two different points");
-    flaw.bounds.add(p, 2);
-    flaw.bounds.add(q, 2);
-    flaw.crosses = [p, q](const double *a, const double *b) {
-      return TMSPH::crosses_segment(Point2(a), Point2(b), p, q);
-    };
-    return flaw;
-  }
-  if (shape == "arc") {
-    const double radian = TMSPH::PI / 180.0;
-    const Point2 center(v[0], v[1]);
-    const double radius = v[2], start = v[3] * radian, sweep = (v[4] - v[3]) * radian;
-    if (radius <= 0.0) error->all(FLERR, "Radius {} of the tmsph/cut arc must be positive", arg[3]);
-    if (sweep <= 0.0 || v[4] - v[3] > 360.0)
-      error->all(FLERR,
-                 "The arc of tmsph/cut runs counterclockwise from {} to {} degrees: the second "
-                 "must be larger, by 360 at most",
-                 arg[4], arg[5]);
-    flaw.bounds.add_arc(center, radius, start, sweep);
-    flaw.crosses = [=](const double *a, const double *b) {
-      return TMSPH::crosses_arc(Point2(a), Point2(b), center, radius, start, sweep);
-    };
-    return flaw;
-  }
-  if (shape == "disc") {
-    const Point3 center(v[0], v[1], v[2]), normal(v[3], v[4], v[5]);
-    const double radius = v[6];
-    if (normal.norm() == 0.0) error->all(FLERR, "The normal of the tmsph/cut disc is zero");
-    if (radius <= 0.0)
-      error->all(FLERR, "Radius {} of the tmsph/cut disc must be positive", arg[7]);
-    const Point3 unit = normal.normalized();
-    const Point3 half = radius * (1.0 - unit.array().square()).max(0.0).sqrt().matrix();
-    flaw.bounds.add(Point3(center - half));
-    flaw.bounds.add(Point3(center + half));
-    flaw.crosses = [=](const double *a, const double *b) {
-      return TMSPH::crosses_disc(Point3(a), Point3(b), center, normal, radius);
-    };
-    return flaw;
-  }
+  const double x = values.number();
+  return Point2(x, values.number());
+}
+
+static Point3 read_point3(TMSPHValues &values)
+{
+  const double x = values.number(), y = values.number();
+  return Point3(x, y, values.number());
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHCut::read_line(TMSPHValues &values, Flaw &flaw)
+{
+  const Point2 p = read_point2(values), q = read_point2(values);
+  if (p == q) error->all(FLERR, "The line of tmsph/cut has no length: give two different points");
+  flaw.bounds.add(p, 2);
+  flaw.bounds.add(q, 2);
+  flaw.crosses = [p, q](const double *a, const double *b) {
+    return TMSPH::crosses_segment(Point2(a), Point2(b), p, q);
+  };
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHCut::read_arc(TMSPHValues &values, Flaw &flaw)
+{
+  const double radian = TMSPH::PI / 180.0;
+  const Point2 center = read_point2(values);
+  const double radius = values.number(), from = values.number(), to = values.number();
+  const double start = from * radian, sweep = (to - from) * radian;
+  char **const end = values.rest();
+  if (radius <= 0.0) error->all(FLERR, "Radius {} of the tmsph/cut arc must be positive", end[-3]);
+  if (sweep <= 0.0 || to - from > 360.0)
+    error->all(FLERR,
+               "The arc of tmsph/cut runs counterclockwise from {} to {} degrees: the second "
+               "must be larger, by 360 at most",
+               end[-2], end[-1]);
+  flaw.bounds.add_arc(center, radius, start, sweep);
+  flaw.crosses = [=](const double *a, const double *b) {
+    return TMSPH::crosses_arc(Point2(a), Point2(b), center, radius, start, sweep);
+  };
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHCut::read_disc(TMSPHValues &values, Flaw &flaw)
+{
+  const Point3 center = read_point3(values), normal = read_point3(values);
+  const double radius = values.number();
+  if (normal.norm() == 0.0) error->all(FLERR, "The normal of the tmsph/cut disc is zero");
+  if (radius <= 0.0)
+    error->all(FLERR, "Radius {} of the tmsph/cut disc must be positive", values.rest()[-1]);
+  const Point3 unit = normal.normalized();
+  const Point3 half = radius * (1.0 - unit.array().square()).max(0.0).sqrt().matrix();
+  flaw.bounds.add(Point3(center - half));
+  flaw.bounds.add(Point3(center + half));
+  flaw.crosses = [=](const double *a, const double *b) {
+    return TMSPH::crosses_disc(Point3(a), Point3(b), center, normal, radius);
+  };
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHCut::read_polygon(TMSPHValues &values, Flaw &flaw)
+{
+  const int corners = values.integer();
+  if (corners < 3)
+    error->all(FLERR, "A polygon of tmsph/cut needs at least 3 corners, not {}", corners);
   std::vector<Point3> corner;
-  for (size_t k = 1; k < v.size(); k += 3) corner.emplace_back(v[k], v[k + 1], v[k + 2]);
+  for (int k = 0; k < corners; k++) corner.push_back(read_point3(values));
   const Point3 area = TMSPH::polygon_normal(corner);
   if (area.norm() == 0.0) error->all(FLERR, "The polygon of tmsph/cut has no area");
   for (const Point3 &p : corner)
@@ -216,5 +220,4 @@ TMSPHCut::Flaw TMSPHCut::read_flaw(int narg, char **arg)
   flaw.crosses = [corner](const double *a, const double *b) {
     return TMSPH::crosses_polygon(Point3(a), Point3(b), corner);
   };
-  return flaw;
 }

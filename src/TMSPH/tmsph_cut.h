@@ -32,8 +32,11 @@ class TMSPHCut : public Command {
     std::function<bool(const double *, const double *)> crosses;
     TMSPH::Bounds bounds;
   };
-  std::vector<double> read_numbers(int, char **);
-  Flaw read_flaw(int, char **);
+  Flaw read_flaw(char **next, char **last);
+  void read_line(class TMSPHValues &, Flaw &);
+  void read_arc(TMSPHValues &, Flaw &);
+  void read_disc(TMSPHValues &, Flaw &);
+  void read_polygon(TMSPHValues &, Flaw &);
   bool cuts(const Flaw &, const class FixTMSPHBond &, const double *a, const double *X) const;
   void prepare_bonds();
 };

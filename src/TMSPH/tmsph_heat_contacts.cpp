@@ -10,7 +10,7 @@
 #include "tmsph_conduction_norms.h"
 #include "tmsph_heat_materials.h"
 #include "tmsph_participants.h"
-#include "tmsph_types.h"
+#include "tmsph_words.h"
 
 #include <cmath>
 
@@ -25,18 +25,14 @@ TMSPHHeatContacts::TMSPHHeatContacts(LAMMPS *lmp) :
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHHeatContacts::read(char **given)
+void TMSPHHeatContacts::read(TMSPHValues &values)
 {
   int ilo, ihi, jlo, jhi;
-  const std::string what = "Fix tmsph/heat contact", usage = "contact * * h";
-  TMSPH::read_types(lmp, what, usage, given[0], ilo, ihi);
-  TMSPH::read_types(lmp, what, usage, given[1], jlo, jhi);
-  const double h = utils::numeric(FLERR, given[2], false, lmp);
-  if (!(h >= 0.0 && std::isfinite(h)))
-    error->all(FLERR,
-               "Fix tmsph/heat contact {} must not be negative: it is the conductance of a "
-               "closed crack per area",
-               given[2]);
+  values.types(ilo, ihi);
+  values.types(jlo, jhi);
+  const double h =
+      values.number(TMSPHRule::not_negative,
+                    "must not be negative: it is the conductance of a closed crack per area");
   for (int i = ilo; i <= ihi; i++)
     for (int j = jlo; j <= jhi; j++) gap[i][j] = gap[j][i] = h;
   crosses = crosses || h > 0.0;

@@ -28,7 +28,7 @@ class TMSPHHeatContacts : protected Pointers {
 
   explicit TMSPHHeatContacts(class LAMMPS *lmp);
   /// TYPES TYPES and the conductance of a closed crack per area that follow "contact"
-  void read(char **given);
+  void read(class TMSPHValues &);
   void set_friction(bool heats) { friction = heats; }
   void init(TMSPHParticipants *);
   /// an error if nothing knows what touches

@@ -9,13 +9,12 @@
 #include "error.h"
 #include "math_const.h"
 #include "text_file_reader.h"
-#include "tmsph_types.h"
+#include "tmsph_words.h"
 #include "tokenizer.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using TMSPH::PropertyTable;
@@ -50,100 +49,88 @@ static std::string read_table(const char *file, const std::string &section, std:
 
 /* ----------------------------------------------------------------------
    a positive number, or a table of positive numbers over temperature
-   @return index of the word after it
 ------------------------------------------------------------------------- */
 
-static int read_property(LAMMPS *lmp, const std::string &word, int iarg, int narg, char **arg,
-                         PropertyTable &property)
+PropertyTable TMSPHHeatMaterials::read_property(const char *name, TMSPHValues &given) const
 {
-  Error *error = lmp->error;
-  if (strcmp(arg[iarg], "table") == 0) {
-    if (iarg + 2 >= narg)
-      utils::missing_cmd_args(FLERR, "fix tmsph/heat " + word + " table", error);
-    std::vector<double> T, values;
-    std::string trouble;
-    if (lmp->comm->me == 0) {
-      trouble = read_table(arg[iarg + 1], arg[iarg + 2], T, values);
-      for (size_t n = 0; n < T.size() && trouble.empty(); n++) {
-        if (n && !(T[n] > T[n - 1]))
-          trouble = fmt::format("temperatures must ascend, but {} comes after {}", T[n], T[n - 1]);
-        if (!(values[n] > 0.0))
-          trouble = fmt::format("value {} at temperature {} must be positive", values[n], T[n]);
-      }
+  if (!given.word("table", "file section"))
+    return PropertyTable(given.number(TMSPHRule::positive, "must be positive"));
+  const char *const file = given.text(), *const section = given.text();
+  std::vector<double> T, values;
+  std::string trouble;
+  if (comm->me == 0) {
+    trouble = read_table(file, section, T, values);
+    for (size_t n = 0; n < T.size() && trouble.empty(); n++) {
+      if (n && !(T[n] > T[n - 1]))
+        trouble = fmt::format("temperatures must ascend, but {} comes after {}", T[n], T[n - 1]);
+      if (!(values[n] > 0.0))
+        trouble = fmt::format("value {} at temperature {} must be positive", values[n], T[n]);
     }
-    int size[2] = {(int) T.size(), (int) trouble.size()};
-    MPI_Bcast(size, 2, MPI_INT, 0, lmp->world);
-    trouble.resize(size[1]);
-    MPI_Bcast(&trouble[0], size[1], MPI_CHAR, 0, lmp->world);
-    if (size[1])
-      error->all(FLERR, "Table {} of fix tmsph/heat {}: {}", arg[iarg + 1], word, trouble);
-    T.resize(size[0]);
-    values.resize(size[0]);
-    MPI_Bcast(T.data(), size[0], MPI_DOUBLE, 0, lmp->world);
-    MPI_Bcast(values.data(), size[0], MPI_DOUBLE, 0, lmp->world);
-    property = PropertyTable(T, values);
-    return iarg + 3;
   }
-  const double value = utils::numeric(FLERR, arg[iarg], false, lmp);
-  if (!(value > 0.0 && std::isfinite(value)))
-    error->all(FLERR, "Fix tmsph/heat {} {} must be positive", word, arg[iarg]);
-  property = PropertyTable(value);
-  return iarg + 1;
+  int size[2] = {(int) T.size(), (int) trouble.size()};
+  MPI_Bcast(size, 2, MPI_INT, 0, world);
+  trouble.resize(size[1]);
+  MPI_Bcast(&trouble[0], size[1], MPI_CHAR, 0, world);
+  if (size[1]) error->all(FLERR, "Table {} of fix tmsph/heat {}: {}", file, name, trouble);
+  T.resize(size[0]);
+  values.resize(size[0]);
+  MPI_Bcast(T.data(), size[0], MPI_DOUBLE, 0, world);
+  MPI_Bcast(values.data(), size[0], MPI_DOUBLE, 0, world);
+  return PropertyTable(T, values);
 }
 
 /* ----------------------------------------------------------------------
-   a number, a table, or the principal values and the turn of their axes: in 2-D
-   orthotropic k1 k2 angle, in 3-D orthotropic k1 k2 k3 axis-x axis-y axis-z angle
+   the principal values and the turn of their axes: in 2-D k1 k2 angle, in 3-D
+   k1 k2 k3 axis-x axis-y axis-z angle
 ------------------------------------------------------------------------- */
 
-int TMSPHHeatMaterials::read_conductivity(int iarg, int narg, char **arg, Material &m)
+void TMSPHHeatMaterials::read_tensor(TMSPHValues &given, Material &m) const
 {
-  if (strcmp(arg[iarg], "orthotropic") != 0)
-    return read_property(lmp, "conductivity", iarg, narg, arg, m.conductivity);
-  const int dimension = domain->dimension, words = dimension == 2 ? 3 : 7;
-  if (iarg + words >= narg)
-    utils::missing_cmd_args(FLERR, "fix tmsph/heat conductivity orthotropic", error);
-  double n[7];
-  for (int k = 0; k < words; k++) n[k] = utils::numeric(FLERR, arg[iarg + 1 + k], false, lmp);
-  Eigen::Vector3d values(n[0], n[1], dimension == 2 ? n[0] : n[2]), axis(0.0, 0.0, 1.0);
+  const int dimension = domain->dimension;
+  Eigen::Vector3d values, axis(0.0, 0.0, 1.0);
   for (int k = 0; k < dimension; k++)
-    if (!(values[k] > 0.0 && std::isfinite(values[k])))
-      error->all(FLERR, "Fix tmsph/heat conductivity {} must be positive", arg[iarg + 1 + k]);
-  if (dimension == 3) axis = Eigen::Vector3d(n[3], n[4], n[5]);
+    values[k] = given.number(TMSPHRule::positive, "must be positive");
+  if (dimension == 2)
+    values[2] = values[0];
+  else
+    for (int k = 0; k < 3; k++) axis[k] = given.number();
   if (!(axis.norm() > 0.0))
     error->all(FLERR, "The axis by which the principal directions of fix tmsph/heat conductivity "
                       "orthotropic turn has no length: for no turn use 0 0 1 0");
   const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(n[words - 1] * MathConst::DEG2RAD, axis.normalized()).toRotationMatrix();
+      Eigen::AngleAxisd(given.number() * MathConst::DEG2RAD, axis.normalized()).toRotationMatrix();
   const Eigen::Matrix3d K = turn * values.asDiagonal() * turn.transpose();
   Eigen::Map<Eigen::Matrix3d>(m.tensor) = 0.5 * (K + K.transpose());
   m.orthotropic = true;
   m.conductivity = PropertyTable(values.maxCoeff());
-  return iarg + 1 + words;
 }
 
 /* ---------------------------------------------------------------------- */
 
-int TMSPHHeatMaterials::read(const std::string &word, int iarg, int narg, char **arg)
+void TMSPHHeatMaterials::read_conductivity(TMSPHValues &values)
 {
-  int lo, hi, next;
-  TMSPH::read_types(lmp, "Fix tmsph/heat " + word, word + " * value", arg[iarg], lo, hi);
+  int lo, hi;
+  values.types(lo, hi);
   Material given;
-  const bool conducts = word == "conductivity";
-  if (conducts)
-    next = read_conductivity(iarg + 1, narg, arg, given);
+  if (values.word("orthotropic",
+                  domain->dimension == 2 ? "k1 k2 angle" : "k1 k2 k3 axis-x axis-y axis-z angle"))
+    read_tensor(values, given);
   else
-    next = read_property(lmp, word, iarg + 1, narg, arg, given.specific_heat);
+    given.conductivity = read_property("conductivity", values);
   for (int type = lo; type <= hi; type++) {
-    Material &m = materials[type];
-    if (conducts) {
-      m.conductivity = given.conductivity;
-      m.orthotropic = given.orthotropic;
-      std::copy_n(given.tensor, 9, m.tensor);
-    } else
-      m.specific_heat = given.specific_heat;
+    given.specific_heat = materials[type].specific_heat;
+    materials[type] = given;
   }
-  return next;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHHeatMaterials::read_specific_heat(TMSPHValues &values)
+{
+  int lo, hi;
+  values.types(lo, hi);
+  const PropertyTable given = read_property("specific/heat", values);
+  for (int type = lo; type <= hi; type++) materials[type].specific_heat = given;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -20,9 +20,9 @@ class TMSPHHeatMaterials : protected Pointers {
  public:
   explicit TMSPHHeatMaterials(class LAMMPS *lmp) : Pointers(lmp), materials(atom->ntypes + 1) {}
 
-  /** What follows "conductivity" or "specific/heat".
-      @return index of the word after types and value */
-  int read(const std::string &word, int iarg, int narg, char **arg);
+  /// what follows the words of this name
+  void read_conductivity(class TMSPHValues &);
+  void read_specific_heat(TMSPHValues &);
   /// an error if one lacks a property, or some do not go together
   void check();
 
@@ -63,7 +63,8 @@ class TMSPHHeatMaterials : protected Pointers {
   std::vector<Material> materials;    // by type
   bool tables = false;
 
-  int read_conductivity(int iarg, int narg, char **arg, Material &);
+  TMSPH::PropertyTable read_property(const char *name, TMSPHValues &) const;
+  void read_tensor(TMSPHValues &, Material &) const;
 };
 
 }    // namespace LAMMPS_NS

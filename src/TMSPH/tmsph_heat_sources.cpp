@@ -8,7 +8,7 @@
 #include "error.h"
 #include "input.h"
 #include "modify.h"
-#include "tmsph_types.h"
+#include "tmsph_words.h"
 #include "variable.h"
 
 using namespace LAMMPS_NS;
@@ -19,15 +19,12 @@ TMSPHHeatSources::TMSPHHeatSources(LAMMPS *lmp) : Pointers(lmp), sources(atom->n
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHHeatSources::read(char **given)
+void TMSPHHeatSources::read(TMSPHValues &values)
 {
   int lo, hi;
-  TMSPH::read_types(lmp, "Fix tmsph/heat source", "source * value", given[0], lo, hi);
+  values.types(lo, hi);
   Source source;
-  if (utils::strmatch(given[1], "^v_"))
-    source.variable = given[1] + 2;
-  else
-    source.power = utils::numeric(FLERR, given[1], false, lmp);
+  if (!values.variable(source.variable)) source.power = values.number();
   for (int type = lo; type <= hi; type++) sources[type] = source;
 }
 

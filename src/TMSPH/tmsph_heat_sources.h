@@ -18,7 +18,7 @@ class TMSPHHeatSources : protected Pointers {
  public:
   explicit TMSPHHeatSources(class LAMMPS *lmp);
   /// TYPES and the value that follow "source"
-  void read(char **given);
+  void read(class TMSPHValues &);
   /// an error if a variable cannot be asked
   void check() const;
   /// @param next time step on which variables will be asked again

@@ -10,6 +10,7 @@
 #include "domain.h"
 #include "error.h"
 #include "tmsph_report.h"
+#include "tmsph_words.h"
 #include "update.h"
 
 #include <algorithm>
@@ -34,37 +35,31 @@ void TMSPHMaterials::allocate_materials()
 
 /* ---------------------------------------------------------------------- */
 
-TMSPHMaterials::Material TMSPHMaterials::read_material(int narg, char **arg) const
+TMSPHMaterials::Material TMSPHMaterials::read_material(TMSPHValues &values) const
 {
   LAMMPS *const lmp = lammps;
   Error *const error = lmp->error;
-  if (narg < 5) utils::missing_cmd_args(FLERR, "pair_coeff ... elastic", error);
-
   Material m;
-  m.young = utils::numeric(FLERR, arg[3], false, lmp);
-  m.poisson = utils::numeric(FLERR, arg[4], false, lmp);
-  for (int iarg = 5; iarg < narg; iarg += 2) {
-    const std::string word = arg[iarg];
-    double *value = word == "density" ? &m.density
-        : word == "expansion"         ? &m.expansion
-        : word == "reference"         ? &m.reference_temperature
-        : word == "horizon"           ? &m.horizon
-                                      : nullptr;
-    if (!value)
-      error->all(FLERR,
-                 "Unknown keyword '{}' in pair_coeff ... elastic: use density, expansion, "
-                 "reference or horizon",
-                 word);
-    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "pair_coeff ... elastic " + word, error);
-    *value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-    if (value == &m.horizon && !(m.horizon > 0.0 && m.horizon <= horizon()))
-      error->all(FLERR, "Horizon {} in pair_coeff must be positive and not above that of "
-                        "pair_style tmsph, {}: give the largest there", arg[iarg + 1], horizon());
-  }
+  m.young = values.number();
+  m.poisson = values.number();
+  char **const given = values.rest();
+  values.all(TMSPHWords(
+      lmp, "pair_coeff ... elastic",
+      {{"density", "rho", [&m](TMSPHValues &v) { m.density = v.number(); }},
+       {"expansion", "alpha", [&m](TMSPHValues &v) { m.expansion = v.number(); }},
+       {"reference", "T0", [&m](TMSPHValues &v) { m.reference_temperature = v.number(); }},
+       {"horizon", "delta", [&](TMSPHValues &v) {
+          m.horizon = v.number();
+          if (!(m.horizon > 0.0 && m.horizon <= horizon()))
+            error->all(FLERR,
+                       "Horizon {} in pair_coeff must be positive and not above that of "
+                       "pair_style tmsph, {}: give the largest there",
+                       v.rest()[-1], horizon());
+        }}}));
   if (m.young <= 0.0)
-    error->all(FLERR, "Young's modulus {} in pair_coeff must be positive", arg[3]);
+    error->all(FLERR, "Young's modulus {} in pair_coeff must be positive", given[-2]);
   if (m.poisson <= -1.0 || m.poisson >= 0.5)
-    error->all(FLERR, "Poisson's ratio {} in pair_coeff must lie between -1 and 0.5", arg[4]);
+    error->all(FLERR, "Poisson's ratio {} in pair_coeff must lie between -1 and 0.5", given[-1]);
   if (m.density <= 0.0)
     error->all(FLERR,
                "Density {} in pair_coeff ... elastic must be positive: add 'density rho' with the "

@@ -90,8 +90,8 @@ class TMSPHMaterials : public TMSPHBondUser {
 
   /// room for all types, without any material
   void allocate_materials();
-  /// words of pair_coeff I J elastic, with I J in front
-  Material read_material(int narg, char **arg) const;
+  /// what follows pair_coeff I J elastic
+  Material read_material(class TMSPHValues &) const;
   void set_material(int type, const Material &m) { materials[type] = m; }
   void set_bonded(int itype, int jtype, bool yes)
   {

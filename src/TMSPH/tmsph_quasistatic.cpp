@@ -19,6 +19,7 @@
 #include "pair_tmsph.h"
 #include "timer.h"
 #include "tmsph_heat_clock.h"
+#include "tmsph_words.h"
 #include "update.h"
 
 #include <algorithm>
@@ -74,44 +75,44 @@ void TMSPHQuasistatic::parse(int narg, char **arg)
   nsteps = utils::inumeric(FLERR, arg[0], false, lmp);
   if (nsteps < 0)
     error->all(FLERR, "Number of time steps {} of tmsph/quasistatic must not be negative", arg[0]);
-  for (int iarg = 1; iarg < narg; iarg += 2) {
-    const std::string word = arg[iarg];
-    const auto number = [&](int n) { return utils::numeric(FLERR, arg[n], false, lmp); };
-    const auto reject = [&](const char *rule) {
-      error->all(FLERR, "The value of tmsph/quasistatic {} {} is out of range: {}", word,
-                 arg[iarg + 1], rule);
-    };
-    if (word != "change" && word != "residual" && word != "breaking" && word != "jump" &&
-        word != "stride" && word != "evaluations")
-      error->all(FLERR,
-                 "Unknown keyword '{}' of tmsph/quasistatic: use change, residual, breaking, jump, "
-                 "stride or evaluations",
-                 word);
-    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "tmsph/quasistatic " + word, error);
-    if (word == "change") {
-      change = number(iarg + 1);
-      if (!(change > 0.0)) reject("it is a positive temperature difference; 2 degrees is usual");
-    } else if (word == "residual") {
-      const bool two = iarg + 2 < narg && utils::is_double(arg[iarg + 2]);
-      residual[0] = residual[1] = number(iarg + 1);
-      if (two) residual[1] = number(iarg + 2);
-      if (!(residual[0] > 0.0) || !(residual[1] > 0.0))
-        reject("it must be positive; 1e-4, and 1e-3 while bonds break, is usual");
-      iarg += two;
-    } else if (word == "breaking") {
-      breaking = number(iarg + 1);
-      if (!(breaking > 0.0) || breaking > 1.0)
-        reject("it must lie above 0 and at most at 1; 0.8 is usual");
-    } else if (word == "stride") {
-      stride = number(iarg + 1);
-      if (!(stride > 0.0)) reject("a wall must be allowed to move; 0.01 spacings is usual");
-    } else if (word == "jump") {
-      jump = utils::logical(FLERR, arg[iarg + 1], false, lmp);
-    } else {
-      evaluations = utils::bnumeric(FLERR, arg[iarg + 1], false, lmp);
-      if (evaluations < 1) reject("give the most force evaluations that one equilibrium may take");
-    }
-  }
+  TMSPHWords(lmp, "tmsph/quasistatic",
+             {{"change", "dT",
+               [this](TMSPHValues &v) {
+                 change = v.number(TMSPHRule::positive,
+                                   "is out of range: it is a positive temperature "
+                                   "difference; 2 degrees is usual");
+               }},
+              {"residual", "r [r2]",
+               [this](TMSPHValues &v) {
+                 const auto *rule =
+                     "is out of range: it must be positive; 1e-4, and 1e-3 while bonds "
+                     "break, is usual";
+                 residual[0] = residual[1] = v.number(TMSPHRule::positive, rule);
+                 if (v.number_follows()) residual[1] = v.number(TMSPHRule::positive, rule);
+               }},
+              {"breaking", "f",
+               [this](TMSPHValues &v) {
+                 breaking = v.number(
+                     [](double f) { return f > 0.0 && f <= 1.0; },
+                     "is out of range: it must lie above 0 and at most at 1; 0.8 is usual");
+               }},
+              {"jump", "yes/no", [this](TMSPHValues &v) { jump = v.logical(); }},
+              {"stride", "s",
+               [this](TMSPHValues &v) {
+                 stride = v.number(TMSPHRule::positive,
+                                   "is out of range: a wall must be allowed to move; "
+                                   "0.01 spacings is usual");
+               }},
+              {"evaluations", "n",
+               [this](TMSPHValues &v) {
+                 const char *const given = v.text();
+                 evaluations = utils::bnumeric(FLERR, given, false, lmp);
+                 if (evaluations < 1)
+                   v.reject(given,
+                            "is out of range: give the most force evaluations that one equilibrium "
+                            "may take");
+               }}})
+      .read_all(arg + 1, arg + narg);
 }
 
 /* ----------------------------------------------------------------------

@@ -10,8 +10,8 @@
 #include "error.h"
 #include "tmsph_restart.h"
 #include "tmsph_version.h"
+#include "tmsph_words.h"
 
-#include <algorithm>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -26,23 +26,6 @@ static constexpr int RESTART_FORMAT = 3;
 static constexpr int VERSION_LENGTH = 16;
 static_assert(sizeof(VERSION) <= VERSION_LENGTH, "the version fits into restart files");
 
-/* ----------------------------------------------------------------------
-   looks a word up in a table, or stops with the words that would do
-------------------------------------------------------------------------- */
-
-template <class T>
-static T one_of(Error *error, const char *keyword, const char *word,
-                const std::vector<std::pair<std::string, T>> &table)
-{
-  std::string known;
-  for (const auto &[name, value] : table) {
-    if (name == word) return value;
-    known += (known.empty() ? "" : " or ") + name;
-  }
-  error->all(FLERR, "Unknown value '{}' of pair_style tmsph {}: use {}", word, keyword, known);
-  return T();
-}
-
 /* ---------------------------------------------------------------------- */
 
 void TMSPHSettings::read(LAMMPS *lmp, int narg, char **arg)
@@ -55,49 +38,38 @@ void TMSPHSettings::read(LAMMPS *lmp, int narg, char **arg)
     error->all(FLERR, "Horizon {} of pair_style tmsph must be positive: about 3 particle spacings",
                arg[0]);
 
-  for (int iarg = 1; iarg < narg;) {
-    const std::string word = arg[iarg];
-    const int values = word == "viscosity" ? 2 : 1;
-    const auto known = {"kernel",    "plane",     "law",       "thermal",
-                        "hourglass", "viscosity", "dilatation"};
-    if (std::find(known.begin(), known.end(), word) == known.end())
-      error->all(FLERR,
-                 "Unknown pair_style tmsph keyword '{}': use kernel, plane, law, hourglass, "
-                 "viscosity, thermal or dilatation",
-                 word);
-    if (iarg + values >= narg) utils::missing_cmd_args(FLERR, "pair_style tmsph " + word, error);
-    const char *value = arg[iarg + 1];
-    if (word == "kernel")
-      kernel = one_of<Kernel>(error, "kernel", value, kernels());
-    else if (word == "plane")
-      plane =
-          one_of<Plane>(error, "plane", value,
-                        {{"strain", Plane::STRAIN}, {"stress", Plane::STRESS}});
-    else if (word == "law")
-      law = one_of<ElasticLaw>(error, "law", value, alternatives<ElasticLaw>());
-    else if (word == "thermal")
-      thermal = one_of<ThermalStrain>(
-          error, "thermal", value,
-          {{"bond", ThermalStrain::BOND}, {"strain", ThermalStrain::CONSTITUTIVE}});
-    else if (word == "dilatation")
-      dilatation = one_of<Dilatation>(error, "dilatation", value,
-                                      {{"auto", Dilatation::AUTO},
-                                       {"plain", Dilatation::PLAIN},
-                                       {"averaged", Dilatation::AVERAGED}});
-    else if (word == "hourglass") {
-      hourglass = utils::numeric(FLERR, value, false, lmp);
-      if (hourglass < 0.0)
-        error->all(FLERR, "Pair_style tmsph hourglass {} must not be negative: 0.1 is usual",
-                   value);
-    } else {
-      alpha1 = utils::numeric(FLERR, value, false, lmp);
-      alpha2 = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
-      if (alpha1 < 0.0 || alpha2 < 0.0)
-        error->all(FLERR, "Pair_style tmsph viscosity {} {} must not be negative: 1 2 is usual",
-                   value, arg[iarg + 2]);
-    }
-    iarg += 1 + values;
-  }
+  TMSPHWords(
+      lmp, "pair_style tmsph",
+      {{"kernel", "name", [this](TMSPHValues &v) { kernel = v.one_of(kernels()); }},
+       {"plane", "strain/stress",
+        [this](TMSPHValues &v) {
+          plane = v.one_of<Plane>({{"strain", Plane::STRAIN}, {"stress", Plane::STRESS}});
+        }},
+       {"law", "name", [this](TMSPHValues &v) { law = v.one_of(alternatives<ElasticLaw>()); }},
+       {"hourglass", "zeta",
+        [this](TMSPHValues &v) {
+          hourglass = v.number(TMSPHRule::not_negative, "must not be negative: 0.1 is usual");
+        }},
+       {"viscosity", "alpha1 alpha2",
+        [this](TMSPHValues &v) {
+          alpha1 = v.number();
+          alpha2 = v.number();
+          if (alpha1 < 0.0 || alpha2 < 0.0)
+            v.reject(fmt::format("{} {}", v.rest()[-2], v.rest()[-1]),
+                     "must not be negative: 1 2 is usual");
+        }},
+       {"thermal", "bond/strain",
+        [this](TMSPHValues &v) {
+          thermal = v.one_of<ThermalStrain>(
+              {{"bond", ThermalStrain::BOND}, {"strain", ThermalStrain::CONSTITUTIVE}});
+        }},
+       {"dilatation", "auto/plain/averaged",
+        [this](TMSPHValues &v) {
+          dilatation = v.one_of<Dilatation>({{"auto", Dilatation::AUTO},
+                                             {"plain", Dilatation::PLAIN},
+                                             {"averaged", Dilatation::AVERAGED}});
+        }}})
+      .read_all(arg + 1, arg + narg);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
@@ -48,35 +47,25 @@ static void sum_in_any_order(const std::vector<Point> &terms, Point &sum, MPI_Co
 
 /* ---------------------------------------------------------------------- */
 
-int TMSPHWallDrive::words(const std::string &word) const
+std::vector<TMSPHWord> TMSPHWallDrive::words()
 {
-  const int d = domain->dimension;
-  if (word == "velocity") return 1 + d;
-  if (word == "rotation") return d == 2 ? 4 : 8;
-  return word == "load" ? 3 + d : 0;
+  const bool flat = domain->dimension == 2;
+  return {{"velocity", flat ? "vx vy" : "vx vy vz",
+           [this](TMSPHValues &v) {
+             for (int a = 0; a < domain->dimension; a++) velocity[a] = number_or_variable(v);
+           }},
+          {"rotation", flat ? "px py omega" : "px py pz ax ay az omega",
+           [this](TMSPHValues &v) { read_rotation(v); }},
+          {"load", flat ? "fx fy mass M" : "fx fy fz mass M",
+           [this](TMSPHValues &v) { read_load(v); }}};
 }
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHWallDrive::parse(const std::string &word, char **value)
-{
-  if (word == "rotation")
-    parse_rotation(value);
-  else if (word == "load")
-    parse_load(value);
-  else
-    for (int a = 0; a < domain->dimension; a++) velocity[a] = number_or_variable(value[a]);
-}
-
-/* ---------------------------------------------------------------------- */
-
-TMSPHWallDrive::Given TMSPHWallDrive::number_or_variable(const char *word) const
+TMSPHWallDrive::Given TMSPHWallDrive::number_or_variable(TMSPHValues &values)
 {
   Given given;
-  if (utils::strmatch(word, "^v_"))
-    given.variable = word + 2;
-  else
-    given.value = utils::numeric(FLERR, word, false, lmp);
+  if (!values.variable(given.variable)) given.value = values.number();
   return given;
 }
 
@@ -84,45 +73,43 @@ TMSPHWallDrive::Given TMSPHWallDrive::number_or_variable(const char *word) const
    pivot, in 3-D axis, angular velocity
 ------------------------------------------------------------------------- */
 
-void TMSPHWallDrive::parse_rotation(char **value)
+void TMSPHWallDrive::read_rotation(TMSPHValues &values)
 {
-  const int d = domain->dimension;
-  const auto number = [&](int k) { return utils::numeric(FLERR, value[k], false, lmp); };
   RigidMotion &motion = scene.motion;
   scene.turns = true;
-  for (int a = 0; a < d; a++) motion.pivot[a] = number(a);
-  if (d == 3) {
-    for (int a = 0; a < 3; a++) motion.axis[a] = number(3 + a);
-    const Point &n = motion.axis;
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (int a = 0; a < domain->dimension; a++) motion.pivot[a] = values.number();
+  if (domain->dimension == 3) {
+    for (double &component : motion.axis) component = values.number();
+    const double length = std::sqrt(dot(motion.axis, motion.axis));
     if (!(length > 0.0))
       error->all(FLERR, "The axis of fix tmsph/wall rotation has no length");
     for (double &component : motion.axis) component /= length;
   }
-  spin = number_or_variable(value[words("rotation") - 2]);
+  spin = number_or_variable(values);
 }
 
 /* ----------------------------------------------------------------------
    a force or NULL in each direction, mass M
 ------------------------------------------------------------------------- */
 
-void TMSPHWallDrive::parse_load(char **value)
+void TMSPHWallDrive::read_load(TMSPHValues &values)
 {
-  const int d = domain->dimension;
   bool any = false;
-  for (int a = 0; a < d; a++) {
-    is_free[a] = strcmp(value[a], "NULL") != 0;
+  for (int a = 0; a < domain->dimension; a++) {
+    is_free[a] = !values.word("NULL");
     any = any || is_free[a];
-    if (is_free[a]) load[a] = number_or_variable(value[a]);
+    if (is_free[a]) load[a] = number_or_variable(values);
   }
   if (!any)
     error->all(FLERR, "All components of fix tmsph/wall load are NULL: give the force of at "
                       "least one direction");
-  if (strcmp(value[d], "mass") != 0)
-    error->all(FLERR, "Fix tmsph/wall load needs the mass of the wall after its {} components, "
-                      "not '{}'", d, value[d]);
-  mass = utils::numeric(FLERR, value[d + 1], false, lmp);
-  if (!(mass > 0.0)) error->all(FLERR, "Fix tmsph/wall mass {} must be positive", value[d + 1]);
+  if (!values.word("mass"))
+    error->all(FLERR,
+               "Fix tmsph/wall load needs the mass of the wall after its {} components, "
+               "not '{}'",
+               domain->dimension, *values.rest());
+  mass = values.number();
+  if (!(mass > 0.0)) values.reject(fmt::format("mass {}", values.rest()[-1]), "must be positive");
 }
 
 /* ---------------------------------------------------------------------- */

@@ -10,6 +10,7 @@
 
 #include "pointers.h"
 #include "tmsph_wall_scene.h"
+#include "tmsph_words.h"
 
 #include <string>
 #include <utility>
@@ -20,9 +21,8 @@ namespace LAMMPS_NS {
 class TMSPHWallDrive : protected Pointers {
  public:
   TMSPHWallDrive(class LAMMPS *lmp, TMSPHWallScene &scene) : Pointers(lmp), scene(scene) {}
-  /// number of words with the word itself; 0 if it is none of its words
-  int words(const std::string &word) const;
-  void parse(const std::string &word, char **value);
+  /// those of fix tmsph/wall that move it
+  std::vector<TMSPHWord> words();
   /// looks for the variables
   void init();
 
@@ -60,9 +60,9 @@ class TMSPHWallDrive : protected Pointers {
   double mass = 0.0;             // 0: no direction is free
   bool varies = false;           // some input is a variable
 
-  Given number_or_variable(const char *) const;
-  void parse_rotation(char **value);
-  void parse_load(char **value);
+  static Given number_or_variable(TMSPHValues &);
+  void read_rotation(TMSPHValues &);
+  void read_load(TMSPHValues &);
   double value_of(Given &);
 };
 

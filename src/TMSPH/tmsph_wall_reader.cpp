@@ -7,50 +7,63 @@
 #include "tmsph_wall_reader.h"
 
 #include "comm.h"
-#include "domain.h"
 #include "error.h"
 #include "text_file_reader.h"
 #include "tmsph_pi.h"
+#include "tmsph_words.h"
 
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
 static constexpr double DEGREE = PI / 180.0;
 
-/* ----------------------------------------------------------------------
-   line, arc or polyline in 2-D, plane in 3-D
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-std::unique_ptr<WallShape> TMSPHWallReader::read(int narg, char **arg, int &next) const
+std::unique_ptr<WallShape> TMSPHWallReader::read(char **first, char **last, char **&next) const
 {
-  if (narg < 4) utils::missing_cmd_args(FLERR, "fix tmsph/wall", error);
-  const std::string word = arg[3];
-  const bool flat = domain->dimension == 2;
-  if (word == "polyline" && flat)
-    return std::make_unique<WallPolyline>(read_polyline(narg, arg, next));
-  const int count = word == "line" && flat ? 4 : word == "arc" && flat ? 5 : 6;
-  if (flat ? count == 6 : word != "plane")
-    error->all(FLERR, "Unknown shape '{}' of fix tmsph/wall in {}-D: use {}", word,
-               domain->dimension, flat ? "line, polyline or arc" : "plane");
-  if (narg < 4 + count) utils::missing_cmd_args(FLERR, "fix tmsph/wall " + word, error);
-  next = 4 + count;
+  std::unique_ptr<WallShape> shape;
+  const TMSPHWords words(
+      lmp, "fix tmsph/wall",
+      {{"line", "x1 y1 x2 y2", [&](TMSPHValues &v) { shape = read_line(v); }, 2},
+       {"polyline", "N [x1 y1 ... xN yN]", [&](TMSPHValues &v) { shape = read_polyline(v); }, 2},
+       {"arc", "x y R phi1 phi2", [&](TMSPHValues &v) { shape = read_arc(v); }, 2},
+       {"plane", "x y z nx ny nz", [&](TMSPHValues &v) { shape = read_plane(v); }, 3}});
+  next = words.read(first, last);
+  return shape;
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::unique_ptr<WallShape> TMSPHWallReader::read_line(TMSPHValues &values) const
+{
+  std::vector<Point> ends(2);
+  for (Point &end : ends) end = read_point(values);
+  check(ends);
+  return std::make_unique<WallPolyline>(ends);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::unique_ptr<WallShape> TMSPHWallReader::read_arc(TMSPHValues &values) const
+{
+  const Point center = read_point(values);
+  const double radius = values.number(), from = values.number(), to = values.number();
+  char **const end = values.rest();
+  if (!(radius > 0.0))
+    error->all(FLERR, "Radius {} of the arc of fix tmsph/wall must be positive", end[-3]);
+  if (!(std::fabs(to - from) > 0.0))
+    error->all(FLERR, "The arc of fix tmsph/wall has no length: its angles are both {}", end[-2]);
+  return std::make_unique<WallArc>(center, radius, from * DEGREE, to * DEGREE);
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::unique_ptr<WallShape> TMSPHWallReader::read_plane(TMSPHValues &values) const
+{
   double n[6];
-  for (int k = 0; k < count; k++) n[k] = utils::numeric(FLERR, arg[4 + k], false, lmp);
-  if (word == "line") {
-    const std::vector<Point> ends = {{n[0], n[1], 0.0}, {n[2], n[3], 0.0}};
-    check(ends);
-    return std::make_unique<WallPolyline>(ends);
-  }
-  if (word == "arc") {
-    if (!(n[2] > 0.0))
-      error->all(FLERR, "Radius {} of the arc of fix tmsph/wall must be positive", arg[6]);
-    if (!(std::fabs(n[4] - n[3]) > 0.0))
-      error->all(FLERR, "The arc of fix tmsph/wall has no length: its angles are both {}", arg[7]);
-    return std::make_unique<WallArc>(Point{n[0], n[1], 0.0}, n[2], n[3] * DEGREE, n[4] * DEGREE);
-  }
+  for (double &number : n) number = values.number();
   const double length = std::sqrt(n[3] * n[3] + n[4] * n[4] + n[5] * n[5]);
   if (!(length > 0.0))
     error->all(FLERR, "The normal of the plane of fix tmsph/wall has no length");
@@ -59,28 +72,29 @@ std::unique_ptr<WallShape> TMSPHWallReader::read(int narg, char **arg, int &next
 }
 
 /* ----------------------------------------------------------------------
-   polyline N x1 y1 ... xN yN, or polyline file NAME
+   N x1 y1 ... xN yN, or file NAME
 ------------------------------------------------------------------------- */
 
-std::vector<Point> TMSPHWallReader::read_polyline(int narg, char **arg, int &next) const
+std::unique_ptr<WallShape> TMSPHWallReader::read_polyline(TMSPHValues &values) const
 {
-  if (narg < 6) utils::missing_cmd_args(FLERR, "fix tmsph/wall polyline", error);
   std::vector<Point> points;
-  next = 6;
-  if (strcmp(arg[4], "file") == 0) {
-    points = read_file(arg[5]);
+  if (values.word("file", "name")) {
+    points = read_file(values.text());
   } else {
-    const int n = utils::inumeric(FLERR, arg[4], false, lmp);
-    if (n < 2)
-      error->all(FLERR, "Polyline of fix tmsph/wall has {} points: give at least 2", arg[4]);
-    next = 5 + 2 * n;
-    if (narg < next) utils::missing_cmd_args(FLERR, "fix tmsph/wall polyline", error);
-    for (int k = 5; k < next; k += 2)
-      points.push_back({utils::numeric(FLERR, arg[k], false, lmp),
-                        utils::numeric(FLERR, arg[k + 1], false, lmp), 0.0});
+    const int n = values.integer();
+    if (n < 2) error->all(FLERR, "Polyline of fix tmsph/wall has {} points: give at least 2", n);
+    for (int k = 0; k < n; k++) points.push_back(read_point(values));
   }
   check(points);
-  return points;
+  return std::make_unique<WallPolyline>(points);
+}
+
+/* ---------------------------------------------------------------------- */
+
+Point TMSPHWallReader::read_point(TMSPHValues &values)
+{
+  const double x = values.number();
+  return {x, values.number(), 0.0};
 }
 
 /* ----------------------------------------------------------------------

@@ -19,13 +19,19 @@ namespace LAMMPS_NS {
 class TMSPHWallReader : protected Pointers {
  public:
   explicit TMSPHWallReader(class LAMMPS *lmp) : Pointers(lmp) {}
-  /// @param next becomes the index of the word after the shape
-  std::unique_ptr<TMSPH::WallShape> read(int narg, char **arg, int &next) const;
+  /// @param first,last what follows the style
+  /// @param next       becomes what follows the shape
+  std::unique_ptr<TMSPH::WallShape> read(char **first, char **last, char **&next) const;
 
  private:
   using Points = std::vector<TMSPH::Point>;
+  using Shape = std::unique_ptr<TMSPH::WallShape>;
 
-  Points read_polyline(int narg, char **arg, int &next) const;
+  Shape read_line(class TMSPHValues &) const;
+  Shape read_arc(TMSPHValues &) const;
+  Shape read_plane(TMSPHValues &) const;
+  Shape read_polyline(TMSPHValues &) const;
+  static TMSPH::Point read_point(TMSPHValues &);
   Points read_file(const std::string &file) const;
   void check(const Points &) const;
 };

@@ -13,7 +13,7 @@ using namespace TMSPH;
 
 namespace {
 
-const ContactLaw &IMPLICIT = *contact_law("implicit"), &PENALTY = *contact_law("penalty");
+const ContactLaw &IMPLICIT = CONTACT_LAWS[0], &PENALTY = CONTACT_LAWS[1];
 
 class ContactHold : public ::testing::Test {
  protected:

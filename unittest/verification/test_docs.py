@@ -32,6 +32,39 @@ INDEX = {"pair": "pair_style {}", "fix": "fix {}", "compute": "compute {}", "com
          "minimize": "min_style {}", "atom": "atom_style {}"}
 IN_THE_HOWTO = ["atom_style tmsph", "fix tmsph/bond"]
 
+# Styles whose input has words, by their pages: for scenes in 2-D and 3-D, lines with a question mark
+# in the place of a word
+PAIR, ROCK = "pair_style tmsph 3e-3", "pair_coeff 1 1 elastic 1e9 0.2"
+CONTACT, HEAT = "fix 1 all tmsph/contact", "fix 1 all tmsph/heat"
+BOUNDARY, WALL = "fix 1 all tmsph/heat/boundary", "fix 1 all tmsph/wall"
+BREAKS = "fix 1 all tmsph/{0} ?", "fix 1 all tmsph/{0} principal ?"
+WORDS = {
+    "pair_tmsph": {2: [f"{PAIR} ?", *(f"{PAIR} {word} ?" for word in (
+        "kernel", "plane", "law", "thermal", "dilatation")),
+        f"{PAIR}\npair_coeff 1 1 ?", f"{PAIR}\n{ROCK} ?"]},
+    **{f"fix_tmsph_{name}": {2: [line.format(name) for line in BREAKS]}
+       for name in ("hoekbrown", "mohrcoulomb", "rankine")},
+    "fix_tmsph_contact": {2: [f"{CONTACT} ?", f"{CONTACT} method ?", f"{CONTACT} law ?"]},
+    "fix_tmsph_wall": {
+        2: [f"{WALL} ?", f"{WALL} polyline ?", *(f"{WALL} line 0 0 1 0 {words}" for words in (
+            "?", "side ?", "law ?", "velocity ? 0", "load ? 0 mass 1", "load 0 0 ? 1"))],
+        3: [f"{WALL} ?"]},
+    "fix_tmsph_heat": {2: [f"{HEAT} {word}?" for word in (
+        "", "conductivity 1 ", "specific/heat 1 ", "subcycle ")]},
+    "fix_tmsph_heat_boundary": {2: [f"{BOUNDARY} ?", f"{BOUNDARY} flux 1 ?",
+                                    f"{BOUNDARY} flux 1 place ?"]},
+    "compute_tmsph_property_atom": {2: ["compute 1 all tmsph/property/atom ?"]},
+    "compute_tmsph_bond_local": {2: [f"compute 1 all tmsph/bond/local {word}?"
+                                     for word in ("", "only ")]},
+    "tmsph_cut": {2: ["tmsph/cut all ?"], 3: ["tmsph/cut all ?"]},
+    "tmsph_quasistatic": {2: ["tmsph/quasistatic 1 ?"]},
+    "min_tmsph_lbfgs": {2: ["min_style tmsph/lbfgs\nmin_modify memory ?"]},
+}
+NO_WORDS = ["atom_vec_tmsph", "fix_tmsph_bond", "compute_tmsph_crack", "compute_tmsph_dt",
+            "compute_tmsph_wall_local"]
+SPACE = {d: f"dimension {d}\natom_style tmsph\nregion 1 block -1 1 -1 1 -1 1\ncreate_box 1 1\n"
+         for d in (2, 3)}
+
 faults = []
 
 
@@ -48,21 +81,28 @@ def styles():
             yield found[1].lower(), found[2], header
 
 
-def keywords(header):
-    """Words that the sources of a style compare input with, or name in their error messages."""
-    words = set()
-    others = tuple(h.stem for h in SOURCE.glob(header.stem + "_*.h"))
-    for source in SOURCE.glob(header.stem + "*.cpp"):
-        if source.stem.startswith(others):
-            continue
-        text = re.sub(r"//.*|/\*[\s\S]*?\*/|^#include.*", "", source.read_text(), flags=re.M)
-        text = re.sub(r'"\s*\n\s*"', "", text)    # literals that go on in the next line
-        literal = r'(?:==\s*|\{|, )"([A-Za-z]\w*)"(?=\s*[\)&|?,};]|\s*$)'
-        words.update(re.findall(literal, text, re.M))
-        words.update(re.findall(r'strcmp\([^,]+, "([^"]+)"\)', text))
-        for message in re.findall(r'"(?:Unknown|Shape)[^"]*: use ([^"]+)"', text):
-            words.update(re.findall(r"[A-Za-z][A-Za-z0-9]*", message))
-    return words
+def words_on(page):
+    """Words in italics in the Syntax section of a page; values of yes and no go without saying."""
+    syntax = page[page.index("\nSyntax\n"):page.index("\nExamples\n")]
+    syntax = syntax.replace("the group must be *all*", "")
+    return set(re.findall(r"(?<![\w*])\*([\w/]+)\*(?![\w*])", syntax)) - {"yes", "no"}
+
+
+def words_of(lines, space):
+    """What lmp knows where each line has a question mark: it is no word, and the error lists them.
+    Messages that list nothing are returned as well."""
+    known, silent = set(), []
+    lists = "Unknown .*: use (.*)|Expected (.*) for .*, not|needs the (mass) of"
+    for line in lines:
+        said = complain(f"{SPACE[space]}{line}\n")
+        found = re.search(lists, said)
+        if found:
+            listed = re.split(", | or ", next(filter(None, found.groups())))
+            listed.append(line.partition(" ?")[0].split()[-1])    # whose value is asked for
+            known.update(word for word in listed if re.fullmatch(r"(?!v_)[A-Za-z][\w/]*", word))
+        else:
+            silent.append(f"{line}: {said}")
+    return known, silent
 
 
 def titles(text):
@@ -108,11 +148,28 @@ def check_styles():
         present = [title for title in heads if title in SECTIONS[kind]]
         check(present == SECTIONS[kind],
               f"the sections of {page.name} are {present}, not {SECTIONS[kind]}")
-        for word in sorted(keywords(header)):
-            check(re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text),
-                  f"{page.name} does not mention '{word}', which {index} reads")
         check(f"({'doc/src/' + page.name})" in (ROOT / "README.md").read_text(),
               f"README.md has no link to {page.name}")
+
+
+def check_words():
+    """What pages say of words is what lmp knows."""
+    check({header.stem for _, _, header in styles()} == set(WORDS) | set(NO_WORDS),
+          "WORDS and NO_WORDS have other styles than there are")
+    for name, places in WORDS.items():
+        page = (PAGES / f"{name}.rst").read_text()
+        known = set()
+        for space, lines in places.items():
+            found, silent = words_of(lines, space)
+            known |= found
+            for said in silent:
+                faults.append(f"lmp does not list the words of {said}")
+        for word in sorted(known):
+            check(re.search(rf"(?<![\w/]){re.escape(word)}(?![\w/])", page),
+                  f"{name}.rst does not mention '{word}', which lmp reads")
+        for word in sorted(words_on(page) - known):
+            faults.append(f"{name}.rst has '{word}', which lmp does not know")
+    print(f"{sum(len(lines) for places in WORDS.values() for lines in places.values())} places")
 
 
 def check_map_of_files():
@@ -191,6 +248,15 @@ def run(text, what):
     error = re.search(r"^ERROR.*", done.stdout + done.stderr, re.M)
     check(done.returncode == 0 and not error, f"{what}: {error[0] if error else done.returncode}")
     return done.stdout
+
+
+def complain(text):
+    """The error with which an input ends."""
+    with tempfile.TemporaryDirectory() as folder:
+        done = subprocess.run([LMP, "-log", "none"], cwd=folder, text=True, input=text,
+                              capture_output=True, timeout=60)
+    error = re.search(r"^ERROR: (.*?)(?: \(\S+:\d+\))?$", done.stdout + done.stderr, re.M)
+    return error[1] if error else "no error"
 
 
 def check_howto():
@@ -308,7 +374,7 @@ def case(checks):
 if __name__ == "__main__":
     CHECKS = [check_pages, check_styles, check_map_of_files, check_developers, check_texts]
     if LMP:
-        CHECKS += [check_tutorial, check_howto, check_recipe, check_materials]
+        CHECKS += [check_words, check_tutorial, check_howto, check_recipe, check_materials]
     else:
         print("TMSPH_LMP is not set: nothing run")
     main(*map(case, CHECKS))
