@@ -167,7 +167,7 @@ void FixTMSPHContact::add_virial()
 /* ----------------------------------------------------------------------
    The pressure of pairs also pushes sideways in the material that it presses, which moves along
    with its neighbors: see lateral_ratio(). It acts along the mean normal of the pairs, and is the
-   trace of their share.
+   trace of their part.
 ------------------------------------------------------------------------- */
 
 void FixTMSPHContact::add_loads(std::vector<Load> &loads)

@@ -27,16 +27,19 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-// a particle is at least this share of its cell's edge below the surface
+// a particle is at least this fraction of its cell's edge below the surface: its conductance, and
+// 1/stable step, are then at most 5 times those of a lattice, where it is half; 0.02 to 0.3 do the
+// same in unittest/verification/test_heat_rings.py
 
 static constexpr double LEAST_DEPTH = 0.1;
 
-// of the surface of a region and a flat face that it stands for: cosine of the angle between them,
-// at least. It is 0 to the other faces of a corner
+// cosine of the angle between the surface of a region and a flat face that it stands for, at least:
+// it is about 1 to that face and 0 to the others of a corner: any number between tells
 
 static constexpr double SAME_SIDE = 0.5;
 
-// of the direction of 'facing' and the normal, 45 degrees
+// cosine of the angle between the direction of 'facing' and the normal, at least: a little below
+// that of 45 degrees, so that faces at just this angle count in spite of round-off
 
 static constexpr double FACING = 0.707106;
 

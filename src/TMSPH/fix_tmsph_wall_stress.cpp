@@ -15,8 +15,9 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// particles whose heights above the wall differ by less than this many spacings are of one row;
-// chosen, rows of square and hexagonal lattices along a wall are 0.5 and more apart
+// particles whose heights above the wall differ by less than this many spacings are of one row:
+// rows of square and hexagonal lattices along a wall are 0.5 and more apart; 0.05 to 0.45 do the
+// same in unittest/verification/test_wall_stress.py
 
 static constexpr double ROW = 0.25;
 

@@ -25,17 +25,25 @@
 using namespace LAMMPS_NS;
 using Vector = TMSPH::LBFGS::Vector;
 
+// Force evaluations of the minima in test_quasistatic, 22 to 25 of disc, ball and stripe: 19 to 51
+// with 0.001 for DMAX, 19 to 24 with 0.1; one to four fewer or more with a tenth of FIRST or
+// MOST_GROWTH and ten times FIRST; with 4 TRIALS, 0.01 or 0.3 for LEAST_PART and 0.7 for MOST_PART
+// the same
+
 static constexpr double DMAX = 0.01;          // of the particle spacing
 static constexpr double FIRST = 0.01;         // of the longest move: the first one, to learn
-static constexpr double CURVATURE = 0.9;      // slopes of opposite sign may be so large
-static constexpr int TRIALS = 12;             // lengths tried on a line
+static constexpr double CURVATURE = 0.9;      // |slope| at the end/at the start: Nocedal, Wright,
+                                              // Numerical Optimization, 2006, Sect. 3.1
+static constexpr int TRIALS = 12;             // lengths tried on a line, each in parts of the last:
+static constexpr double LEAST_PART = 0.1, MOST_PART = 0.9, MOST_GROWTH = 100.0;
+static constexpr int STEPS_KEPT = 8;          // 25 gain nothing: doc/report/quasistatic.md
 static constexpr double EPS_ENERGY = 1.0e-8;  // as in LAMMPS's minimizers
 
 /* ---------------------------------------------------------------------- */
 
 MinTMSPHLBFGS::MinTMSPHLBFGS(LAMMPS *lmp) :
-    Min(lmp), lbfgs(8), preconditioner(lmp), pair(nullptr), longest(0.0), with_energy(true),
-    total_evaluations(0)
+    Min(lmp), lbfgs(STEPS_KEPT), preconditioner(lmp), pair(nullptr), longest(0.0),
+    with_energy(true), total_evaluations(0)
 {
   searchflag = 1;
   dmax = 0.0;    // not given: a fraction of the spacing
@@ -239,8 +247,8 @@ int MinTMSPHLBFGS::step()
     const bool beyond = slope_there < -CURVATURE * slope;
     const bool before = learning && slope_there > CURVATURE * slope && length < most;
     if (!beyond && !before) break;
-    length = std::min(most, TMSPH::secant_length(length, slope, slope_there, 0.1,
-                                                 before ? 100.0 : 0.9));
+    length = std::min(most, TMSPH::secant_length(length, slope, slope_there, LEAST_PART,
+                                                 before ? MOST_GROWTH : MOST_PART));
     slope_there = try_length(length);
   }
   alpha_final = length;

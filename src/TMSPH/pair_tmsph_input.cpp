@@ -159,7 +159,7 @@ void PairTMSPH::init_style()
     error->warning(FLERR,
                    "The neighbor skin {} is longer than the horizon {}: lists and ghosts are "
                    "needlessly many; set for instance 'neighbor {:.2g} bin'",
-                   neighbor->skin, horizon(), 0.3 * horizon());
+                   neighbor->skin, horizon(), 0.3 * horizon());    // 0.3 sigma is usual in LAMMPS
 
   init_materials(setflag);
   on.law = chosen.law;

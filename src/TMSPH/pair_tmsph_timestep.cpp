@@ -19,6 +19,8 @@ using namespace TMSPH;
 
 static constexpr double TRIAL = 1.0e-6;
 
+static constexpr int SEED = 7919;    // of the trial displacements: any number
+
 /* ----------------------------------------------------------------------
    random multiples of the bonds, which turn along with the body; partners of broken ones may be out
    of reach, on how many processors decides
@@ -32,7 +34,7 @@ static std::vector<double> trial_displacements(const FixTMSPHBond &bonds, const 
       if (bonds.bond_state(i, n) != FixTMSPHBond::INTACT) continue;
       double X[3];
       bonds.reference_vector(i, bonds.partner_index(i, n), X);
-      const double part = uniform_random(atom.tag[i], 7919, bonds.partner_tag(i, n)) - 0.5;
+      const double part = uniform_random(atom.tag[i], SEED, bonds.partner_tag(i, n)) - 0.5;
       for (int k = 0; k < D; k++) trial[D * (size_t) i + k] += part * X[k];
     }
   return trial;

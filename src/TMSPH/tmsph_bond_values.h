@@ -161,7 +161,7 @@ class TMSPHBondValues {
   }
   double bytes() const
   {
-    double sum = rows.capacity() * sizeof(rows[0]);
+    double sum = rows.capacity() * sizeof(std::vector<double>);
     for (const auto &row : rows) sum += row.capacity() * sizeof(double);
     return sum;
   }

@@ -14,7 +14,7 @@
 namespace TMSPH {
 
 struct Bounds {
-  static constexpr double ROUND = 1.0e-9;    // lengths that differ by less are equal
+  static constexpr double ROUND = 1.0e-9;    // lengths that differ by less are equal: round-off
   static constexpr double NEAR = 1.0e-8;     // of a period: what round-off leaves on a shape, amply
   double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
   double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};

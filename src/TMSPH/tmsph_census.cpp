@@ -150,7 +150,7 @@ double TMSPHCensus::total_volume() const
 
 void TMSPHCensus::refuse_other_volumes() const
 {
-  constexpr double AGREE = 1.0e-12;
+  constexpr double AGREE = 1.0e-12;    // far above what terms lose in the common unit of the sum
   if (count_particles() != particles) return;    // some were deleted
   const double now = total_volume();
   if (std::fabs(now - volume) > AGREE * volume)    // not where that is unknown

@@ -38,14 +38,14 @@ template <int D> class CoarseGrid {
       nodes = 1;
       for (int k = 0; k < D; k++) {
         const double length = std::max(high[k] - low[k], spacing);
-        cells[k] = std::max(1, (int) std::ceil(length / spacing - 1.0e-6));
+        cells[k] = std::max(1, (int) std::ceil(length / spacing - 1.0e-6));    // round-off: no cell
         width[k] = length / cells[k];
         origin[k] = low[k];
         wraps[k] = periodic[k];
         count[k] = wraps[k] ? cells[k] : cells[k] + 1;
         nodes *= count[k];
       }
-      spacing *= 1.1;
+      spacing *= 1.1;    // at most a tenth coarser than need be
     } while (nodes * D > most);
   }
 

@@ -15,7 +15,8 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// a particle is at least this share of its spacing below an interface
+// a particle is at least this fraction of its spacing below an interface: two depths of 0 would
+// have no conductance. On lattices it is half; 0.02 does the same in test_heat_cracks
 
 static constexpr double LEAST_DEPTH = 0.1;
 

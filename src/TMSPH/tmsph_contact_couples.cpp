@@ -19,7 +19,8 @@ template <int D> using Vector = Eigen::Matrix<double, D, 1>;
 template <int D> using Square = Eigen::Matrix<double, D, D>;
 
 // bonds are crushed flat where the determinant of their tensor is a smaller part of the cube (in
-// 2-D the square) of its mean eigenvalue; chosen, far from the 1 of a lattice
+// 2-D the square) of its mean eigenvalue: a lattice has 1, the side of one that is compressed to a
+// tenth still 0.04; 1e-4 to 0.1 do the same in unittest/verification/test_fragments.py
 
 static constexpr double FLAT = 0.01;
 
@@ -136,11 +137,11 @@ template <int D> void TMSPHContactCouples::fill_rows()
 
 template <int D> void TMSPHContactCouples::add_forces() const
 {
-  const Couples<D> all(rows[0]);
+  const Couples<D> sent(rows[0]);
   for (const int i : bearers) {
     Vector<D> force = Vector<D>::Zero();
     each_bond<D>(*scene.bonds, atom->x, i, [&](int j, double weight, const Vector<D> &x) {
-      force -= weight * ((all.S(i) + all.S(j)) * x);
+      force -= weight * ((sent.S(i) + sent.S(j)) * x);
     });
     for (int a = 0; a < D; a++) atom->f[i][a] += force[a];
   }
@@ -152,12 +153,12 @@ template <int D> void TMSPHContactCouples::add_forces() const
 
 template <int D> void TMSPHContactCouples::add_stress()
 {
-  const Couples<D> all(rows[0]);
+  const Couples<D> sent(rows[0]);
   for (const Member &m : list.members) {
     Square<D> virial = Square<D>::Zero();
     each_bond<D>(*scene.bonds, atom->x, m.i, [&](int j, double weight, const Vector<D> &x) {
-      const double own = all.touches(j) ? 0.5 : 1.0;
-      virial += weight * ((own * all.S(m.i) + 0.5 * all.S(j)) * x) * x.transpose();
+      const double own = sent.touches(j) ? 0.5 : 1.0;
+      virial += weight * ((own * sent.S(m.i) + 0.5 * sent.S(j)) * x) * x.transpose();
     });
     const double scale = 0.5 / atom->vfrac[m.i];
     double *stress = list.memory(m).stress;

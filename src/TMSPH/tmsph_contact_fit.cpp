@@ -26,13 +26,14 @@ using Meeting = TMSPHContactList::Meeting;
 
 static constexpr double SHORT = 1.6;
 
-// bodies whose nearest particles are farther apart than this many spacings do not touch; chosen
-// between rows of lattices, 0.7 to 1, and gaps of two; for a warning only
+// bodies whose nearest particles are farther apart than this many spacings do not touch: between
+// rows of lattices, 0.7 to 1, and those with one row missing, 1.4 to 2; for a warning only
 
 static constexpr double APART = 1.3;
 
-// moment of inertia, in squared spacings, that marks need to overrule the direction of a bond;
-// chosen, marks of a straight cut have 1 and more
+// moment of inertia, in squared spacings, that marks need to overrule the direction of a bond:
+// those of a straight cut have 1 and more; from 0.01 to 1 jumps and stresses of test_closed_cut in
+// 2-D change by less than 1e-4
 
 static constexpr double SCATTER = 0.1;
 
@@ -200,7 +201,7 @@ template <int D> void TMSPHContactFit::fit_surface(Pairing &pairing, const TMSPH
     p.distance += normal[a] * X[a];
     depth += normal[a] * centre[a];
   }
-  p.share = marks.m[0] > 0.0 && p.distance > 0.0
+  p.depth = marks.m[0] > 0.0 && p.distance > 0.0
       ? std::min(1.0, std::max(0.0, depth / p.distance))
       : 0.5;
   set_origin<D>(X, p);

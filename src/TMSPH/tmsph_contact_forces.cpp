@@ -135,7 +135,7 @@ template <int D> void TMSPHContactForces::act(double dt)
     }
     const double normal = contact_force<D>(law, p.pair, s, frequency, dt, act.f, p.now, heat);
     std::copy_n(s.r, D, act.r);
-    act.share = p.pair.share;
+    act.depth = p.pair.depth;
     const bool low_bears = low[Row::BEARS] != 0.0, high_bears = high[Row::BEARS] != 0.0;
     act.borne[0] = !low_bears ? 0.0 : high_bears ? 0.5 : 1.0;    // as they turn the normal
     act.borne[1] = !high_bears ? 0.0 : low_bears ? 0.5 : 1.0;
@@ -165,7 +165,7 @@ template <int D> void TMSPHContactForces::gather(const TMSPHContactPlaces *place
       if (pressing[e.pairing] == 0.0) continue;
       const Act &act = acts[e.pairing];
       ContactEffect &effect = atom->type[m.i] < atom->type[e.j] ? counted : other;
-      effect.add<D>(e.low ? -1.0 : 1.0, e.low ? act.share : 1.0 - act.share,
+      effect.add<D>(e.low ? -1.0 : 1.0, e.low ? act.depth : 1.0 - act.depth,
                     act.borne[e.low ? 0 : 1], act.f, act.r, states[e.pairing].normal);
     }
     add_to_totals<D>(m.i, counted);

@@ -51,8 +51,8 @@ class TMSPHContactForces : protected Pointers {
  private:
   /** What a pair does in a step, in the compact form that both ends take it from. */
   struct Act {
-    double f[3], r[3], share;
-    double borne[2];      // shares of the low and the high end in the couple
+    double f[3], r[3], depth;    // of the low end, a fraction
+    double borne[2];             // fractions of the couple that the low and the high end bear
   };
   using Member = TMSPHContactList::Member;
   using End = TMSPHContactList::End;

@@ -40,7 +40,7 @@ struct TMSPHContactMemory {
     double weight, distance;
   };
 
-  double force[3] = {}, stress[6] = {};    // by contact; share of the Cauchy stress
+  double force[3] = {}, stress[6] = {};    // by contact; part of the Cauchy stress
   double tilt[9] = {};                     // moments f x of what bonds have to balance
   std::uint64_t stamp = 0;                 // fingerprint at the end of the run
   std::vector<Record> records;             // of the reference family, ascending partners

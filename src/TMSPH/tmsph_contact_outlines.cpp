@@ -20,12 +20,12 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-// segments are not longer than this many times their largest length in the reference; chosen,
-// beyond what rock bears
+// segments are not longer than this many times their largest length in the reference: bonds of rock
+// break at strains of 1e-3; what is longer is an error where a ghost is missing
 
 static constexpr double STRETCHED = 1.25;
 
-// spacings that differ by less are equal: chosen, what volumes may lose in files
+// spacings that differ by less are equal: volumes lose 5e-8 or less in files of 8 digits
 
 static constexpr double SAME = 1.0e-6;
 

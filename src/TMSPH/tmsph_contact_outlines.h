@@ -20,7 +20,8 @@
 namespace TMSPH {
 
 /** A particle is held at an outline if it is nearer than this many of the coarsest spacing, in
-    front and behind: chosen, half cells of both and half of one more. */
+    front and behind: it touches at one, half cells of both, and in a step of half a spacing over
+    the wave speed what flies at that speed comes by half a spacing more. */
 constexpr double OUTLINE_REACH = 1.5;
 
 }    // namespace TMSPH

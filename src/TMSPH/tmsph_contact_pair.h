@@ -2,7 +2,7 @@
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 
    Kernel-weighted pair contact of two deformable surfaces: every pair of
-   particles across the interface within the horizon carries a share of it.
+   particles across the interface within the horizon carries a part of it.
    Weight and reference distance do not depend on the penetration; pairs fade
    in and out as the surfaces slip.
 
@@ -31,7 +31,7 @@ struct PairGeometry {
   /// reference normals of the ends, both from low to high; 0 of a loose particle: no surface
   double normal_low[3], normal_high[3];
   double distance;         ///< D, of both particles along the normal when the surfaces just touch
-  double share;            ///< depth of the low end below its surface/sum of both depths
+  double depth;            ///< of the low end below its surface/sum of both depths
   /// 1: both are loose, the normal is the line between them, the reference normals what it was
   double loose;
 };
@@ -171,7 +171,7 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
   const double length = std::sqrt(square);
   for (int a = 0; a < D; a++) s.normal[a] = length > 0.0 ? s.normal[a] / length : n_low[a];
   s.lean = !loose && low_one > 0.5 && high_one > 0.5 ? 0.5 * length : 1.0;
-  if (low_one > 0.5)
+  if (low_one > 0.5)    // 1, or 0 of a loose particle
     tangents(s.normal, H_low, pair.normal_low, s.tangent);
   else
     tangents(s.normal, H_high, pair.normal_high, s.tangent);
@@ -194,7 +194,7 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
     R2 += tau * tau;
     s.slip[k] = tau_next - s.stretch * (pair.origin[k] + past.moved[k]);
   }
-  const double R = std::max(std::sqrt(R2), 1.0e-3 * pair.horizon);    // w has a limit at 0
+  const double R = std::max(std::sqrt(R2), 1.0e-3 * pair.horizon);    // w has a limit at 0, not 0/0
   s.weight = kernel_slope(kernel, D, R, pair.horizon);
   s.stiffness = pair.stiffness * s.weight;
   s.shear_ratio = pair.shear_ratio;
@@ -237,18 +237,18 @@ inline double contact_force(const ContactLaw &law, const ContactPair &pair,
     not when the surface is sheared. So what does work on all that the law measures, and on nothing
     else, are moments sum f x of the forces in the bonds along n: n (n x c), and for the part of
     the couple about n, which turns the tangents, skew ones.
-    @param share of this end
+    @param borne fraction of the couple that this end balances
     @param tilt  D x D, row-major: the moments are added */
 template <int D>
-inline void add_tilt(double share, const double *f, const double *r, const double *n, double *tilt)
+inline void add_tilt(double borne, const double *f, const double *r, const double *n, double *tilt)
 {
-  double c[3] = {0.0, 0.0, share * (f[0] * r[1] - f[1] * r[0])}, along[3];
+  double c[3] = {0.0, 0.0, borne * (f[0] * r[1] - f[1] * r[0])}, along[3];
   if constexpr (D == 2) {
     along[0] = n[1] * c[2];
     along[1] = -n[0] * c[2];
   } else {
     cross_product(f, r, c);
-    for (int a = 0; a < 3; a++) c[a] *= share;
+    for (int a = 0; a < 3; a++) c[a] *= borne;
     cross_product(n, c, along);
   }
   for (int a = 0; a < D; a++)

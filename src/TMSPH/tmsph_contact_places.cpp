@@ -22,7 +22,8 @@ using Row = SegmentRow;
 static constexpr double EQUALLY_DEEP = 1.0e-9;    // in spacings: round-off
 
 // layer between two outlines, in spacings, at least: a particle may stand on the line between two
-// of the other body from the start; chosen
+// of the other body from the start, where the stiffness would have no bound. Outlines that stand
+// farther apart do not know of it: 0.01 to 0.5 do the same in test_segments
 
 static constexpr double THINNEST = 0.1;
 
@@ -327,14 +328,14 @@ TMSPHContactPlaces::Anchor TMSPHContactPlaces::rub(int i, const Place &p, const 
 void TMSPHContactPlaces::add(int i, ContactEffect &counted, ContactEffect &other) const
 {
   const double bears = rows[i][Row::BEARS];
-  const auto add = [&](int j, double sign, double weight, const double *force, double share) {
+  const auto add = [&](int j, double sign, double weight, const double *force, double depth) {
     ContactEffect &effect = atom->type[i] < atom->type[j] ? counted : other;
     const double f[2] = {weight * force[Row::F], weight * force[Row::F + 1]};
     const double borne = sign > 0.0 ? force[Row::BORNE] : force[Row::BORNE] == 0.0;
     const double *r = force + Row::R, length = std::hypot(r[0], r[1]);
     const double normal[2] = {length > 0.0 ? r[0] / length : 1.0,
                               length > 0.0 ? r[1] / length : 0.0};
-    effect.add<2>(sign, share, bears * borne, f, r, normal);
+    effect.add<2>(sign, depth, bears * borne, f, r, normal);
   };
   const int guest = outlines.guest_of[i], host = outlines.host_of[i];
   if (guest >= 0)
@@ -350,19 +351,19 @@ void TMSPHContactPlaces::add(int i, ContactEffect &counted, ContactEffect &other
 }
 
 /* ----------------------------------------------------------------------
-   for heat: a place of area A is worth the weights A kappa/(2 D), shared between the
+   for heat: a place of area A is worth the weights A kappa/(2 D), divided between the
    ends, since the area of a pair is 2 weight D/kappa
 ------------------------------------------------------------------------- */
 
 void TMSPHContactPlaces::keep_touches(int i, TMSPHContactMemory &memory) const
 {
   using Pressed = TMSPHContactMemory::Pressed;
-  const auto keep = [&](tagint partner, int guest, double share, const double *force) {
-    if (!(force[Row::NORMAL] > 0.0) || share == 0.0) return;
+  const auto keep = [&](tagint partner, int guest, double weight, const double *force) {
+    if (!(force[Row::NORMAL] > 0.0) || weight == 0.0) return;
     const double area = atom->vfrac[guest] / scene.bonds->spacing(guest);
-    memory.pressed.push_back({partner, share * area * scene.bonds->interior_kappa() /
+    memory.pressed.push_back({partner, weight * area * scene.bonds->interior_kappa() /
                                            (2.0 * force[Row::TOUCHING]), force[Row::TOUCHING]});
-    memory.rubbed += 0.5 * share * force[Row::HEAT];
+    memory.rubbed += 0.5 * weight * force[Row::HEAT];
   };
   const int guest = outlines.guest_of[i], host = outlines.host_of[i];
   if (guest >= 0)

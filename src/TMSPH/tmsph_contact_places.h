@@ -51,7 +51,7 @@ class TMSPHContactPlaces : protected Pointers {
   /** Where a particle touches the outline of another body. */
   struct Place {
     int a, b;              // ends of the segment
-    double along;          // share of b
+    double along;          // weight of b, 1 less that of a
     double normal[2];      // towards the particle
     double distance;       // from the line through the centres; negative behind it
     double touching;       // the same when the surfaces just touch

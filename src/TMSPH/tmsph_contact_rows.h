@@ -26,7 +26,8 @@ struct SegmentRow : ContactRow<2> {
   static constexpr int START = 0, END = 1, ALONG = 2, STIFFNESS = 3, WHERE_SIZE = 4;
   static constexpr int F = 0, R = 2, TOUCHING = 4, NORMAL = 5, HEAT = 6, DEPTH = 7, BORNE = 8,
                        FORCE_SIZE = 9;
-  static constexpr int MOST_PRESSED = 64;    // places at a particle of an outline, else an error
+  // places at a particle of an outline, else an error: 32 on each of its two segments
+  static constexpr int MOST_PRESSED = 64;
   static constexpr int WHERE = ContactRow<2>::SIZE, FORCE = WHERE + PLACES * WHERE_SIZE,
                        SIZE = FORCE + PLACES * FORCE_SIZE;
 };

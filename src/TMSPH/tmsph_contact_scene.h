@@ -17,7 +17,7 @@
 namespace LAMMPS_NS {
 
 struct TMSPHContactScene {
-  /// Two particles may come closer by this share of the horizon between searches: within it the
+  /// Two particles may come closer by this fraction of the horizon between searches: within it the
   /// kernel has a thousandth of its middle value.
   static constexpr double SEARCH_MARGIN = 0.1;
 

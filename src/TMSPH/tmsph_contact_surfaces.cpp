@@ -16,7 +16,8 @@ using namespace LAMMPS_NS;
 using namespace TMSPH;
 
 // cosine of the angle between the outward normals of two particles that are certainly on the same
-// side of a surface, at least: 26 degrees, chosen; for a warning only
+// side of a surface, at least: 26 degrees, by which a side turns within a horizon of 3 spacings if
+// its radius is 6.6 spacings; for a warning only
 
 static constexpr double SAME_SIDE = 0.9;
 
@@ -83,7 +84,7 @@ bool TMSPHContactSurfaces::take_given(int low, int high, const double *X, PairGe
     geometry.normal_high[a] = -other.normal[a];
   }
   geometry.distance = apart / square;
-  geometry.share = one.depth / (one.depth + other.depth);
+  geometry.depth = one.depth / (one.depth + other.depth);
   return true;
 }
 

@@ -19,7 +19,8 @@
 namespace TMSPH {
 
 /** Cosine of the angle between the outward normals of surfaces that face each other, at most: 107
-    degrees, chosen beyond the 90 between both sides of a corner of one body. */
+    degrees, beyond the 90 between both sides of a corner of one body; 93 to 134 degrees do the same
+    in unittest/verification/test_fragments.py. */
 constexpr double FACING = -0.3;
 
 }    // namespace TMSPH

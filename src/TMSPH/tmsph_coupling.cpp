@@ -14,7 +14,8 @@ using namespace LAMMPS_NS;
 using namespace TMSPH;
 
 // a particle is no nearer to the interface than this, in spacings: two ends at 0 would have no
-// mean. Those next to an interface of a lattice are at 0.5
+// mean. Those next to an interface of a lattice are at 0.5; 0.01 does the same for inclusions in
+// unittest/verification/test_incompressible.py
 
 static constexpr double LEAST_DEPTH = 0.05;
 
@@ -40,13 +41,13 @@ void TMSPHCoupling::lay_out(FixTMSPHBond &bonds)
 {
   crossing.clear();
   if (!on()) return;
-  Slices &all = bonds.layout();
+  Slices &layout = bonds.layout();
   for (int i = 0; i < atom->nlocal; i++) {
     Crossing one;
     one.i = i;
     for (const auto &bond : bonds.family(i, FixTMSPHBond::FORMED)) {
       if (!averaging.coupled(atom->type[i], atom->type[bond.j])) continue;
-      all.weight[all.at(i, bond.k)] = 0.0f;
+      layout.weight[layout.at(i, bond.k)] = 0.0f;
       one.bonds.push_back({bond.k, bond.j, 0.0, {}});
     }
     if (!one.bonds.empty()) crossing.push_back(std::move(one));
@@ -70,14 +71,14 @@ void TMSPHCoupling::update(const FixTMSPHBond &bonds, Crossing &one) const
 {
   const double horizon = materials.horizon();
   const int i = one.i, type = atom->type[i];
-  double own = bonds.kernel_mass(i, i, horizon), all = own;
+  double own = bonds.kernel_mass(i, i, horizon), whole = own;
   for (const auto &bond : bonds.family(i, FixTMSPHBond::WHOLE)) {
     const double mass = bonds.kernel_mass(i, bond.j, horizon);
     const bool same = materials.same_material(type, atom->type[bond.j]);
     if (same) own += mass;
-    if (same || averaging.coupled(type, atom->type[bond.j])) all += mass;
+    if (same || averaging.coupled(type, atom->type[bond.j])) whole += mass;
   }
-  one.depth = std::max(depth_of(own / all), LEAST_DEPTH * bonds.spacing(i));
+  one.depth = std::max(depth_of(own / whole), LEAST_DEPTH * bonds.spacing(i));
   for (auto &bond : one.bonds)
     bond.stiffness = bonds.bond_state(i, bond.k) != FixTMSPHBond::INTACT
         ? 0.0

@@ -213,7 +213,7 @@ void TMSPHCut::read_polygon(TMSPHValues &values, Flaw &flaw)
   for (int k = 0; k < corners; k++) corner.push_back(read_point3(values));
   const Point3 area = TMSPH::polygon_normal(corner);
   if (area.norm() == 0.0) error->all(FLERR, "The polygon of tmsph/cut has no area");
-  for (const Point3 &p : corner)
+  for (const Point3 &p : corner)    // six digits of the input
     if (std::fabs(area.dot(p - corner[0])) > 1.0e-6 * std::pow(area.norm(), 1.5))
       error->all(FLERR, "The polygon of tmsph/cut is not flat: split it into triangles");
   for (const Point3 &p : corner) flaw.bounds.add(p);

@@ -36,7 +36,7 @@ class TMSPHDebris : protected Pointers {
   /// a bond of local particle i to j broke: they may touch from now on
   void add(int i, int j, const FixTMSPHBond &bonds);
   /** Adds forces to atom->f of local particles, and to virial (6, or nullptr).
-      @return this processor's share of the energy */
+      @return this processor's part of the energy */
   double repel(double *virial);
   int contacts() const { return touching; }    ///< contacts of local particles at the last call
 

@@ -29,7 +29,7 @@ static constexpr double MOST_EXPANSION = 1.0e-3;
 // a spacing longer than it is stiff (doc/src/pair_tmsph.rst)
 
 static constexpr double SHORTEST_HORIZON = 2.0, LONGEST_HORIZON = 8.0, ABSURD_HORIZON = 50.0;
-static constexpr double USUAL_HORIZON = 3.015;
+static constexpr double USUAL_HORIZON = 3.015;    // of the heated disc of Mu et al. (2022)
 
 // volume of a particle in cubes of the spacing: lattices have 0.7 to 1, a random cloud 4
 

@@ -15,7 +15,8 @@
 namespace TMSPH {
 
 /** The number of units in 1 such that terms whose absolute values add up to at most "bound" cannot
-    overflow; a power of two, so that scaling is exact. */
+    overflow 64 bits with their sign; a power of two in the range of doubles, so that scaling is
+    exact. */
 inline double fixed_point_scale(double bound)
 {
   if (!(bound > 0.0) || !std::isfinite(bound)) return 0.0;

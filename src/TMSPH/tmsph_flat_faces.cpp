@@ -14,7 +14,8 @@ using namespace LAMMPS_NS;
 using namespace TMSPH;
 
 // a flat face ends at other ones: in so many steps of a horizon along it no curved rim, whose steps
-// have short flat stretches too
+// have short flat stretches too; with 3 the errors of the coarsest discs of test_heat_disc change
+// by 4 %, with 1 their order is lost
 
 static constexpr int STEPS_ALONG = 6;
 

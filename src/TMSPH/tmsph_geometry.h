@@ -10,6 +10,8 @@
 #ifndef LMP_TMSPH_GEOMETRY_H
 #define LMP_TMSPH_GEOMETRY_H
 
+#include "tmsph_pi.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -66,7 +68,7 @@ inline bool crosses_arc(const Point2 &a, const Point2 &b, const Point2 &center, 
   const Point2 nearest = r + std::clamp(-B / A, 0.0, 1.0) * d;
   if (outside_a && outside_b && above(nearest.norm() - radius, radius)) return false;
   const double root = std::sqrt(std::max(0.0, B * B - A * C));
-  constexpr double TURN = 6.283185307179586;
+  constexpr double TURN = 2.0 * PI;
   for (const bool enters : {true, false}) {
     if (!(enters ? outside_a : outside_b)) continue;
     const Point2 hit = r + std::clamp((-B + (enters ? -root : root)) / A, 0.0, 1.0) * d;

@@ -16,7 +16,7 @@
 
 using namespace LAMMPS_NS;
 
-// below this share of the stable step the error of explicit Euler in time is far below that of
+// below this fraction of the stable step the error of explicit Euler in time is far below that of
 // the lattice in space
 
 static constexpr double SMALL_STEP = 0.1;
@@ -63,6 +63,7 @@ int TMSPHHeatStepper::advance(int most, double largest_change, double time_scale
     }
     std::copy(before.begin(), before.end(), atom->temperature);
     ledger.restore(books_before);
+    // factors of step size control: Hairer, Norsett, Wanner, Solving ODEs I, 1993, Sect. II.4
     steps = std::max(1, (int) (steps * std::max(0.1, 0.9 * largest_change / change)));
   }
   comfortable = steps;
@@ -120,6 +121,7 @@ void TMSPHHeatStepper::step(double duration, std::vector<double> &values)
   const TMSPHHeatFlows::Range mine = flows.range_with_outside(values);
   double range[2];
   MPI_Allreduce(mine.data(), range, 2, MPI_DOUBLE, MPI_MAX, world);
+  // what some hundreds of roundings leave
   const double rounding = 1.0e-13 * std::max(std::fabs(range[0]), std::fabs(range[1]));
 
   const std::vector<double> start(values);

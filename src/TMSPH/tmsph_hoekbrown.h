@@ -40,7 +40,7 @@ struct HoekBrown {
     mb = mi * std::exp((gsi - 100.0) / (28.0 - 14.0 * disturbance));
     s = std::exp((gsi - 100.0) / (9.0 - 3.0 * disturbance));
     a = 0.5 + (std::exp(-gsi / 15.0) - std::exp(-20.0 / 3.0)) / 6.0;
-    if (std::fabs(a - 0.5) < 1.0e-14) a = 0.5;    // gsi = 100, but for round-off
+    if (std::fabs(a - 0.5) < 1.0e-14) a = 0.5;    // gsi = 100, but for rounding
   }
   bool operator==(const HoekBrown &o) const { return mb == o.mb && s == o.s && a == o.a; }
 
@@ -70,10 +70,10 @@ struct HoekBrown {
     const auto fails_divided_by = [&](double o) {
       return fails({p.largest / o, p.middle / o, p.smallest / o}, strength);
     };
-    double high = std::max(first, 1.0e-30), low = high;
+    double high = std::max(first, 1.0e-30), low = high;    // doubling needs more than 0
     while (fails_divided_by(high)) high *= 2.0;
     while (!fails_divided_by(low) && low > 1.0e-300) low *= 0.5;
-    for (int k = 0; k < 60; k++) {
+    for (int k = 0; k < 60; k++) {    // doubles have 53 bits
       const double middle = 0.5 * (low + high);
       (fails_divided_by(middle) ? low : high) = middle;
     }

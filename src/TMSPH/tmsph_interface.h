@@ -30,7 +30,7 @@ inline double coupling_stiffness(double young_i, double young_j)
   return 10.0 * 2.0 * (young_i * young_j) / (young_i + young_j);
 }
 
-/** Distance to a plane interface from the share of the kernel's mass on the own side. */
+/** Distance to a plane interface from the fraction of the kernel's mass on the own side. */
 class InterfaceDepth {
  public:
   InterfaceDepth() = default;
@@ -48,16 +48,16 @@ class InterfaceDepth {
       below.push_back(below.back() + layer);
     }
     const double half = below.back() - 0.5;
-    for (double &share : below) share = 0.5 + 0.5 * (share - 0.5) / half;
+    for (double &part : below) part = 0.5 + 0.5 * (part - 0.5) / half;
   }
 
-  /// @param share 0 to 1; the distance is not negative
-  double operator()(double share) const
+  /// @param fraction 0 to 1; the distance is not negative
+  double operator()(double fraction) const
   {
-    const int k = std::upper_bound(below.begin(), below.end(), share) - below.begin();
+    const int k = std::upper_bound(below.begin(), below.end(), fraction) - below.begin();
     if (k == 0) return 0.0;
     if (k > STEPS) return horizon;
-    return horizon * (k - 1 + (share - below[k - 1]) / (below[k] - below[k - 1])) / STEPS;
+    return horizon * (k - 1 + (fraction - below[k - 1]) / (below[k] - below[k - 1])) / STEPS;
   }
 
  private:

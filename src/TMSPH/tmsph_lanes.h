@@ -16,7 +16,7 @@
 
 namespace TMSPH {
 
-static constexpr int LANES = 8;    // numbers side by side
+static constexpr int LANES = 8;    // numbers side by side: a register of AVX-512, a line of caches
 
 typedef double Lanes __attribute__((vector_size(64)));
 typedef float FloatLanes __attribute__((vector_size(32)));

@@ -10,13 +10,13 @@
    do to the conduction of heat:
 
    - Normal to a face, the lacking bonds pull: sum V w X.n over the places beyond.
-     This share of the face makes a linear field steady.
+     This part of the face makes a linear field steady.
    - Along it the body conducts worse, as the rows near the face lack bonds with
      others. The bonds within a row replace them: with X_t the part of X along the
      face they are stronger by
        boost = sum_beyond V w X_t^2/sum_same_row V w X_t^2.
      They are normal to n, so that nothing changes along it. As heat is
-     conserved, the shares of another face at whose edge the rows end then add
+     conserved, the parts of another face at whose edge the rows end then add
      up to its whole area.
 ------------------------------------------------------------------------- */
 
@@ -41,7 +41,7 @@ template <int D> struct Layer {
   double boost = 0.0;                    ///< of bonds along the face, less 1
   double missing = 0.0;                  ///< sum V w |X.n| of the places beyond
 
-  /// less than this is round-off in X.n/|X|
+  /// less than this in X.n/|X| is what positions lose in files
   static constexpr double ALONG = 1.0e-4;
   bool along(const double *X) const
   {
@@ -100,10 +100,10 @@ template <int D> class LatticeFaces {
   }
 
  private:
-  static constexpr double SAME = 1.0e-4;     // of the shortest bond: the same place
-  static constexpr double ROUND_OFF = 1.0e-9;
-  static constexpr double NEAREST = 1.01;    // shortest bonds, which span the lattice
-  static constexpr double SHORT = 1.8;       // in these multiples of them: bonds that span faces
+  // in shortest bonds: the same place, but for what positions lose in files; the same step, but for
+  // round-off; bonds that span the lattice, where bcc has the next at 1.15, others beyond; bonds
+  // that span faces, up to 1.73 in hexagonal, sc and fcc lattices, the next, of bcc, at 1.91
+  static constexpr double SAME = 1.0e-4, ROUND_OFF = 1.0e-9, NEAREST = 1.01, SHORT = 1.8;
 
   struct Face {
     Vector normal;

@@ -103,7 +103,7 @@ void TMSPHMaterials::complete_particles(bool formed) const
 {
   const Atom *const atom = lammps->atom;
   Error *const error = lammps->error;
-  constexpr double AGREE = 1.0e-6;    // data files have 8 digits or more
+  constexpr double AGREE = 1.0e-6;    // data files have 8 digits or more, mistakes are larger
   for (int i = 0; i < atom->nlocal; i++) {
     const Material &m = materials[atom->type[i]];
     const double volume = atom->vfrac[i];

@@ -24,9 +24,10 @@ namespace TMSPH {
 
 /** Weight of the ridge, in means of the diagonal moments of the second derivatives. 0 reads the
     hoop stress of the inner ring of the heated disc as 1.02 of the exact one but scatters,
-    infinity is the linear fit with 0.944; 0.2 reads 0.994. */
+    infinity is the linear fit with 0.944; 0.2 reads 0.994 (unittest/verification/test_disc.py). */
 constexpr double RIDGE = 0.2;
-/// neighbors whose moments have a smaller ratio of eigenvalues do not span the space
+/// neighbors whose moments have a smaller ratio of eigenvalues do not span the space: at sides and
+/// corners of lattices it is above 0.01, of a row and one more at the horizon 6e-4, of a row 0
 constexpr double SINGULAR = 1.0e-6;
 
 /** Multipliers g_j of the fit: H = sum_j u_j g_j^T. Exact for linear u, whatever the ridge.
@@ -41,7 +42,7 @@ bool one_sided_fit(const Eigen::Matrix<double, D, Eigen::Dynamic> &X,
                    Eigen::Matrix<double, D, Eigen::Dynamic> &g)
 {
   constexpr int SECOND = D * (D + 1) / 2, ALL = D + SECOND;
-  constexpr double MIXED = 1.4142135623730951;
+  constexpr double MIXED = 1.4142135623730951;    // sqrt(2)
   const int n = X.cols();
   Eigen::Matrix<double, ALL, Eigen::Dynamic> P(ALL, n);
   Eigen::Matrix<double, ALL, ALL> M = Eigen::Matrix<double, ALL, ALL>::Zero();

@@ -44,7 +44,7 @@ class OutlineSegments {
   }
 
  private:
-  static constexpr double TOUCHING = 1.0e-6;    // share of the radius by which one may reach in
+  static constexpr double TOUCHING = 1.0e-6;    // of the square of the radius: round-off
   struct Vector {
     double x, y;
   };

@@ -77,8 +77,8 @@ void TMSPHOwnSide::fill(int i, const FixTMSPHBond &bonds, const Atom &atom,
 {
   const int q = lane[i] / LANES, l = lane[i] % LANES;
   const int rows = slices.offset[q + 1] - slices.offset[q];
-  const Slices &all = bonds.layout();
-  const double *const constants = all.constants<D>(i) + LANES * SYMMETRIC<D>;
+  const Slices &whole = bonds.layout();
+  const double *const constants = whole.constants<D>(i) + LANES * SYMMETRIC<D>;
   const ParticleConstants same = {constants[0], constants[LANES], constants[2 * LANES], 0.0};
   for (const bool own_only : {true, false}) {
     for (int k = 0; k < rows; k++) {
@@ -87,7 +87,7 @@ void TMSPHOwnSide::fill(int i, const FixTMSPHBond &bonds, const Atom &atom,
       const int j = here ? bonds.partner_index(i, k) : i;
       slices.partner[at] = j;
       slices.weight[at] = here && (!own_only || atom.type[j] == atom.type[i])
-          ? all.weight[all.at(i, k)]
+          ? whole.weight[whole.at(i, k)]
           : 0.0f;
     }
     update_shape<D>(slices, q, l, kinematic, bonds.interior_kappa(), same);

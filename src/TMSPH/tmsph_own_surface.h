@@ -37,7 +37,7 @@ template <int D> class OwnSurface {
       sum[a] -= weight * X[a];
       R2 += X[a] * X[a];
     }
-    all += weight * std::sqrt(R2);
+    lengths += weight * std::sqrt(R2);
   }
 
   /** @param spacing of the particles; a surface is half of it outside the outermost one
@@ -53,7 +53,7 @@ template <int D> class OwnSurface {
       return s;
     }
     const double length = length_of_sum();
-    if (length < least * all) return s;
+    if (length < least * lengths) return s;
     s.exposure = Exposure::SURFACE;
     for (int a = 0; a < D; a++) s.normal[a] = sum[a] / length;
 
@@ -73,7 +73,7 @@ template <int D> class OwnSurface {
   }
 
   /// length of the sum of all weighted bonds/sum of their lengths: 0 inside, about 1/2 at a surface
-  double one_sidedness() const { return all > 0.0 ? length_of_sum() / all : 0.0; }
+  double one_sidedness() const { return lengths > 0.0 ? length_of_sum() / lengths : 0.0; }
 
   /// length of the sum of all weighted bonds
   double length_of_sum() const
@@ -108,7 +108,8 @@ template <int D> class OwnSurface {
   }
 
  private:
-  // particles in a row differ in height by less than this share of the spacing
+  // particles in a row differ in height by less than this fraction of the spacing, which positions
+  // lose in files
 
   static constexpr double SAME_ROW = 1.0e-4;
 
@@ -117,7 +118,7 @@ template <int D> class OwnSurface {
 
   static constexpr double ONE_SIDED = 0.03;
   std::vector<double> ends;
-  double sum[D] = {}, all = 0.0;
+  double sum[D] = {}, lengths = 0.0;    // of the weighted bonds
 };
 
 }    // namespace TMSPH

@@ -58,7 +58,7 @@ template <int D> class PointGrid {
   }
 
  private:
-  static constexpr int NONE = -1, MOST = 16;    // cells along an edge
+  static constexpr int NONE = -1, MOST = 16;    // cells along an edge: 4096 for some hundreds
   double half;
   int count;
   double per_length;

@@ -13,6 +13,10 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
+// Nodes 2 to 4 spacings apart and 0.15 to 0.6 for LOCAL make 5 % of the evaluations
+// (doc/report/quasistatic.md); 1e-6 for FREE and 0.1 to 2 for HOLD one of 25, FREE 1e-2 five
+// (test_quasistatic). MOST bounds the time of a factorization, of which REBUILDS are some more
+
 static constexpr double SPACING = 3.0;     // of the nodes, in particle spacings
 static constexpr int MOST = 6000;          // degrees of freedom of the grid
 static constexpr double FREE = 1.0e-4;     // of the diagonal, against rigid motions

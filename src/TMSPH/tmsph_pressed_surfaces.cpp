@@ -23,13 +23,15 @@ using namespace TMSPH;
 
 static constexpr double PRESSED = 0.04;
 
-// So often: in equilibrium, with hourglass 0.1 to 0.5, the stresses of all rows of a square,
-// hexagonal or simple cubic lattice along the wall are then within 1.3 % of p; with one round 6 %.
-// Of rows along diagonals, whose particles stand in front of each other, 4 %.
+// rounds of averaging: in equilibrium, with hourglass 0.1 to 0.5, the stresses of all rows of a
+// square, hexagonal or simple cubic lattice along a wall are then within 1.3 % of p, with one round
+// 6 %; of rows along diagonals, whose particles stand in front of each other, 4 %
+// (unittest/verification/test_wall_stress.py)
 
 static constexpr int ROUNDS = 3;
 
-// of them where contacts alone press: with one single particles beside a closed cut are off by 11 %
+// rounds where contacts alone press: with one, single particles beside a closed cut are off by 11 %
+// (unittest/verification/test_closed_cut.py)
 
 static constexpr int CONTACT_ROUNDS = 2;
 

@@ -28,8 +28,10 @@
 
 using namespace LAMMPS_NS;
 
-static constexpr double JUMP = 0.98;           // of the way to the first break
-static constexpr double STRENGTH = 2.5e-4;     // of Young's modulus, where no strength is given
+static constexpr double JUMP = 0.98;           // of the way to the first break, since the load
+                                               // factor is only nearly proportional to heating
+static constexpr double STRENGTH = 2.5e-4;     // of Young's modulus, where none is given: rock with
+                                               // 10 MPa and 40 GPa
 static constexpr double SILENCE = 5.0;         // s without a line on the screen
 
 /* ----------------------------------------------------------------------

@@ -13,7 +13,7 @@
 
 namespace LAMMPS_NS {
 
-/// of faces that are equally far but for round-off the first one counts
+/// of faces that are equally far but for round-off, which is far below this, the first one counts
 static constexpr double NEARER = 1.0 - 1.0e-9;
 
 /** Where the surface of a region is nearest to X, if that is nearer than the depth of s: then s

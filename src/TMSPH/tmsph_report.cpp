@@ -75,7 +75,7 @@ TextTable::Rows TextTable::together() const
 
 std::string TextTable::text() const
 {
-  static constexpr size_t MOST = 21;    // with the headings
+  static constexpr size_t MOST = 21;    // with the headings: screens have 24 lines
   Rows shown = rows.size() > MOST ? together() : rows;
   const size_t more = shown.size() > MOST ? shown.size() - MOST : 0;
   shown.resize(shown.size() - more);

@@ -226,6 +226,7 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
       : D == 3 && !VISCOUS                                  ? 12
                                                             : R::FORCE;
   const double h = viscosity.smoothing_length;
+  // halves of the sums of wave speeds and of densities of both ends
   const double alpha1 = 0.25 * viscosity.alpha1 / viscosity.kappa;
   const double alpha2 = 0.5 * viscosity.alpha2 / viscosity.kappa;
   for (int q = 0; q < bonds.count(); q++) {

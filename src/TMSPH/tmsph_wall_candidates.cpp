@@ -66,7 +66,7 @@ void TMSPHWallCandidates::list()
   const bool exchanged = watch.laid_out_anew(bonds);
   double nearest = HUGE_VAL;
   watch.see(bonds);
-  all.clear();
+  images.clear();
   travel = skin = farthest = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & scene.groupbit) skin = std::max(skin, 2.0 * scene.gap(i));
@@ -140,7 +140,7 @@ void TMSPHWallCandidates::list_images(int i, double within, double &nearest)
         }
         const double distance = scene.shape->distance(scene.motion.to_body(image));
         nearest = std::min(nearest, distance - reach);
-        if (distance < within) all.push_back({i, shift});
+        if (distance < within) images.push_back({i, shift});
       }
 }
 

@@ -27,7 +27,7 @@ class TMSPHWallCandidates : protected Pointers {
       Pointers(lmp), scene(scene)
   {
   }
-  std::vector<Candidate> all;    // images of a particle one after the other
+  std::vector<Candidate> images;    // images of a particle one after the other
 
   void init();
   /// lists them (collective)
@@ -44,7 +44,7 @@ class TMSPHWallCandidates : protected Pointers {
   TMSPH::Point position_of(int i) const;
   /// takes point p to its periodic image that is nearest to x
   void to_image_near(const TMSPH::Point &x, TMSPH::Point &p) const;
-  double bytes() const { return all.capacity() * sizeof(Candidate); }
+  double bytes() const { return images.capacity() * sizeof(Candidate); }
 
  private:
   const TMSPHWallScene &scene;

@@ -15,7 +15,7 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
-static constexpr double ROUND_OFF = 1.0e-6;    // of half a cell
+static constexpr double ROUND_OFF = 1.0e-6;    // of half a cell: what positions and spacings lose
 
 /* ---------------------------------------------------------------------- */
 
@@ -91,7 +91,7 @@ double TMSPHWallCheck::depth_in_body(bigint &bonds_cut) const
 
 bool TMSPHWallCheck::cuts(Point from, Point to) const
 {
-  static constexpr int HALVINGS = 20;
+  static constexpr int HALVINGS = 20;    // to 1e-6 of the bond, below the 1e-3 that is asked for
   const int side = scene.shape->side_of(from);
   if (side == scene.shape->side_of(to)) return false;
   double length = 0.0;

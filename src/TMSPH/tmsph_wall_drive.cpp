@@ -37,7 +37,7 @@ static void sum_in_any_order(const std::vector<Point> &terms, Point &sum, MPI_Co
   for (const Point &t : terms)
     for (double value : t) largest = std::max(largest, std::fabs(value));
   MPI_Allreduce(&largest, &largest_of_all, 1, MPI_DOUBLE, MPI_MAX, world);
-  const double quantum = std::ldexp(std::max(largest_of_all, 1.0e-280), -40);
+  const double quantum = std::ldexp(std::max(largest_of_all, 1.0e-280), -40);    // not 0
   int64_t counted[3] = {}, all[3];
   for (const Point &t : terms)
     for (int a = 0; a < 3; a++) counted[a] += std::llround(t[a] / quantum);

@@ -85,13 +85,14 @@ void TMSPHWallPlaces::find(double dt)
   touching.clear();
   std::optional<TMSPHLastForce::Prescribed> prescribed;
   if (dt > 0.0) prescribed.emplace(lmp, prescribing);
-  const auto &all = candidates.all;
-  for (size_t n = 0; n < all.size();) {
-    const int i = all[n].i;
+  const auto &images = candidates.images;
+  for (size_t n = 0; n < images.size();) {
+    const int i = images[n].i;
     Touching t, other;
     t.places = 0;
-    for (; n < all.size() && all[n].i == i; n++)
-      if (touch(all[n], other) && (t.places == 0 || nearer(other.place[0], t.place[0]))) t = other;
+    for (; n < images.size() && images[n].i == i; n++)
+      if (touch(images[n], other) && (t.places == 0 || nearer(other.place[0], t.place[0])))
+        t = other;
     if (t.places == 0) {
       memories.erase(atom->tag[i]);
       continue;
@@ -212,8 +213,8 @@ void TMSPHWallPlaces::hold_one(const Touching &t, double dt, double dragged)
       taken[which] = 1;
       anchors[p].point = moved_along(t, memory.anchors[which].point);
     }
-    const Point share = rub(t, p, ahead, q, normal[p], pushed, anchors[p]);
-    for (int a = 0; a < 3; a++) force[a] += share[a];
+    const Point exerted = rub(t, p, ahead, q, normal[p], pushed, anchors[p]);
+    for (int a = 0; a < 3; a++) force[a] += exerted[a];
   }
   totals[Totals::TOUCHING] += 1.0;
   memory.count = t.places;
@@ -266,17 +267,17 @@ Point TMSPHWallPlaces::rub(const Touching &t, int p, double ahead, double q, dou
                    held_energy<3>(k, kt, normal, friction.force));
 
   const Point centre = scene.motion.centre();
-  Point arm, share;
+  Point arm, force;
   for (int a = 0; a < 3; a++) {
     arm[a] = t.x[a] - place.gap * place.normal[a] - (scene.turns ? centre[a] : 0.0);
-    share[a] = normal * place.normal[a] - friction.force[a];
+    force[a] = normal * place.normal[a] - friction.force[a];
   }
   for (int a = 0; a < 3; a++) {
-    totals[Totals::FORCE + a] -= share[a];
-    totals[Totals::TORQUE + a] -= arm[(a + 1) % 3] * share[(a + 2) % 3] -
-        arm[(a + 2) % 3] * share[(a + 1) % 3];
+    totals[Totals::FORCE + a] -= force[a];
+    totals[Totals::TORQUE + a] -= arm[(a + 1) % 3] * force[(a + 2) % 3] -
+        arm[(a + 2) % 3] * force[(a + 1) % 3];
   }
-  return share;
+  return force;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -61,7 +61,7 @@ class TMSPHWallPlaces : protected Pointers {
   void hold(double dt, double dragged);
   /// after they were held
   std::vector<TMSPH::Point> forces() const;
-  /// most by which a particle overlaps the wall by more than a share of half its cell; else 0
+  /// most by which a particle overlaps the wall by more than a fraction of half its cell; else 0
   double overlap(double tolerance) const;
   double bytes() const { return touching.capacity() * sizeof(Touching); }
 

@@ -19,7 +19,9 @@
 namespace LAMMPS_NS {
 
 struct TMSPHWallScene {
-  /// how far behind the surface a centre is still held, in half cells; chosen: one cell
+  /// how far from the surface, in front and behind, a centre is held, in half cells: it touches at
+  /// one, and in a step of half a spacing over the wave speed what flies at that speed comes by one
+  /// more; 4 does the same in unittest/verification/test_wall.py
   static constexpr double REACH = 2.0;
 
   PairTMSPH *pair = nullptr;

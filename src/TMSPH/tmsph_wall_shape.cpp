@@ -18,8 +18,8 @@ namespace {
 
 /// sine of the angle between two segments that are one but for round-off
 constexpr double STRAIGHT = 1.0e-9;
-/// lengths that differ by a smaller share of the reach are equal but for round-off: of two gaps the
-/// first one counts
+/// lengths that differ by a smaller fraction of the reach are equal but for round-off: of two gaps
+/// the first one counts
 constexpr double EQUALLY_FAR = 1.0e-9;
 
 Point minus(const Point &a, const Point &b)
@@ -366,7 +366,7 @@ bool WallArc::goes_on(int /*axis*/, double /*period*/)
 
 std::vector<Point> WallArc::picture(const Point & /*middle*/, double /*size*/) const
 {
-  const int pieces = 1 + (int) (std::fabs(sweep) / (0.01 * PI));
+  const int pieces = 1 + (int) (std::fabs(sweep) / (0.01 * PI));    // smooth to the eye
   std::vector<Point> corners;
   for (int k = 0; k <= pieces; k++) {
     const double angle = start + sweep * k / pieces;
@@ -438,7 +438,7 @@ Bounds WallPlane::bounds() const
 std::vector<Point> WallPlane::picture(const Point &middle, double size) const
 {
   const Point foot = minus(middle, scaled(height(middle), normal));
-  Point along = {0.0, 0.0, 0.0};    // the axis farthest from the normal, less its share of that
+  Point along = {0.0, 0.0, 0.0};    // the axis farthest from the normal, less its part along that
   int axis = 0;
   for (int a = 1; a < 3; a++)
     if (std::fabs(normal[a]) < std::fabs(normal[axis])) axis = a;

@@ -57,7 +57,9 @@ class WallShape {
     they are one that is straight along an axis and at least a period long, or end one period from
     where they start. At a convex corner the
     nearest point is the corner itself, so the normal turns steadily. In a concave corner of more
-    than CONCAVE degrees a point touches both segments, in a flatter one the nearer. */
+    than CONCAVE degrees a point touches both segments, in a flatter one the nearer: with 5 in place
+    of 20 the force on a bumpy floor changes by 0.7 % in a step, with 20 and 60 by 0.1 %
+    (unittest/verification/test_wall.py). */
 class WallPolyline : public WallShape {
  public:
   static constexpr double CONCAVE = 20.0;

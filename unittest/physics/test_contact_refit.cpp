@@ -23,7 +23,7 @@ template <int D> struct Pair {
     surface.stiffness = 2.0;
     surface.shear_ratio = 0.4;
     surface.friction = 0.5;
-    surface.share = 0.5;
+    surface.depth = 0.5;
     surface.horizon = HORIZON;
     double tangent[D - 1][D];
     static constexpr double REST[9] = {};
