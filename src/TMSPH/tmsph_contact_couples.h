@@ -24,9 +24,9 @@ class TMSPHContactCouples : protected Pointers {
       Pointers(lmp), scene(scene), list(list), ghosts(ghosts)
   {
   }
-  /// after pairs were listed (collective, as all of these)
-  void find_bearers();
-  /// forces in bonds that balance the moments which the members remember
+  /// pairs were listed
+  void list_anew() { bearers_known = false; }
+  /// forces in bonds that balance the moments which the members remember (collective)
   /// @param anew the stress of contacts does not know that of these forces yet
   template <int D> void balance(bool anew);
   double bytes() const { return rows.bytes(); }
@@ -35,9 +35,12 @@ class TMSPHContactCouples : protected Pointers {
   const TMSPHContactScene &scene;
   TMSPHContactList &list;
   TMSPHGhostSender &ghosts;
+  bool bearers_known = false;
   std::vector<int> bearers;    // local particles with a bond to one that may touch
-  TMSPHGhostRows rows;         // of each particle S, and 1 if it is a member
+  TMSPHGhostRows rows;         // of each particle S, and whether it is a member, and presses
 
+  bool any_tilt() const;
+  void find_bearers();
   template <int D> void fill_rows();
   template <int D> void add_forces() const;
   template <int D> void add_stress();

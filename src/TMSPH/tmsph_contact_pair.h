@@ -65,6 +65,7 @@ template <int D> struct ContactState {
   double weight;                  ///< w
   double stiffness;               ///< k_n
   double shear_ratio;             ///< k_t/k_n
+  double fading[D - 1];           ///< derivatives of log k_n along the tangents; of pairs that press
   double closing;                 ///< velocity
   double penetration;             ///< now
   double predicted;               ///< at the end of the step; positive: active
@@ -184,14 +185,15 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
   }
   s.stretch = 1.0 + 0.5 * (low.thermal + high.thermal);
   const double touching = pair.distance * s.stretch * s.lean - past.worn;
-  double R2 = pair.distance * pair.distance;
+  double R2 = pair.distance * pair.distance, tau[D - 1];
   for (int k = 0; k < D - 1; k++) {
-    double tau = 0.0, tau_next = 0.0;
+    double tau_next = 0.0;
+    tau[k] = 0.0;
     for (int a = 0; a < D; a++) {
-      tau += s.tangent[k][a] * s.r[a];
+      tau[k] += s.tangent[k][a] * s.r[a];
       tau_next += s.tangent[k][a] * next[a];
     }
-    R2 += tau * tau;
+    R2 += tau[k] * tau[k];
     s.slip[k] = tau_next - s.stretch * (pair.origin[k] + past.moved[k]);
   }
   const double R = std::max(std::sqrt(R2), 1.0e-3 * pair.horizon);    // w has a limit at 0, not 0/0
@@ -202,10 +204,16 @@ inline ContactState<D> contact_state(const ContactPair &pair, const ContactEnd<D
   for (int a = 0; a < D; a++) s.closing -= s.normal[a] * (high.v[a] - low.v[a]);
   s.penetration = touching - apart;
   s.predicted = touching - apart_next;
+  std::fill_n(s.fading, D - 1, 0.0);
+  if (s.predicted > 0.0 && s.weight > 0.0) {
+    const double rate = kernel_slope_rate(kernel, D, R, pair.horizon) / (R * s.weight);
+    for (int k = 0; k < D - 1; k++) s.fading[k] = rate * tau[k];
+  }
   return s;
 }
 
-/** Force on the high end; the low end gets the opposite.
+/** Force on the high end; the low end gets the opposite. It is the derivative of what the pair
+    holds, whose stiffness fades along the surface.
     @param frequency Kc_low/m_low + Kc_high/m_high, Kc = sum of k_n over the active pairs of an end
     @param dt    0: nothing is predicted
     @param past  its friction moves by the excess of a sliding pair
@@ -224,8 +232,10 @@ inline double contact_force(const ContactLaw &law, const ContactPair &pair,
       hold_along<D - 1>(ratio * s.stiffness, ratio * q, limit, s.slip);
   heat += friction.work;
   for (int a = 0; a < D; a++) force[a] = normal * s.normal[a];
+  const double energy = held_energy<D - 1>(s.stiffness, ratio * s.stiffness, normal, friction.force);
   for (int k = 0; k < D - 1; k++) {
-    for (int a = 0; a < D; a++) force[a] -= friction.force[k] * s.tangent[k][a];
+    const double along = friction.force[k] + energy * s.fading[k];
+    for (int a = 0; a < D; a++) force[a] -= along * s.tangent[k][a];
     past.moved[k] += friction.excess[k] / s.stretch;
   }
   return normal;

@@ -8,6 +8,7 @@
      norm(dimension)      so that the integral of W over all space is 1
      value(scale, q)      scale f(q), 0 <= q < SUPPORT
      slope(scale, q)      -scale f'(q)
+     curvature(scale, q)  -scale f''(q)
    and a member of Kernel. Wendland C2: Wendland, Adv. Comput. Math. 4 (1995) 389; splines:
    Monaghan, Rep. Prog. Phys. 68 (2005) 1703.
 ------------------------------------------------------------------------- */
@@ -44,6 +45,11 @@ struct WendlandC2 {
     const double c = 1.0 - 0.5 * q;
     return scale * (5.0 * q * c * c * c);
   }
+  static double curvature(double scale, double q)
+  {
+    const double c = 1.0 - 0.5 * q;
+    return scale * (5.0 * c * c * (1.0 - 2.0 * q));
+  }
 };
 
 struct CubicSpline {
@@ -57,6 +63,10 @@ struct CubicSpline {
   static double slope(double scale, double q)
   {
     return scale * (q < 1.0 ? 3.0 * q - 2.25 * q * q : 0.75 * (2.0 - q) * (2.0 - q));
+  }
+  static double curvature(double scale, double q)
+  {
+    return scale * (q < 1.0 ? 3.0 - 4.5 * q : 1.5 * (q - 2.0));
   }
 };
 
@@ -76,6 +86,11 @@ struct QuinticSpline {
   {
     return scale * (5.0 * (positive_power(3.0 - q, 4) - 6.0 * positive_power(2.0 - q, 4) +
                            15.0 * positive_power(1.0 - q, 4)));
+  }
+  static double curvature(double scale, double q)
+  {
+    return scale * (-20.0 * (positive_power(3.0 - q, 3) - 6.0 * positive_power(2.0 - q, 3) +
+                             15.0 * positive_power(1.0 - q, 3)));
   }
 };
 
@@ -108,6 +123,20 @@ inline double kernel_slope(const Kernel &kernel, int dimension, double R, double
         const double h = delta / shape.SUPPORT;
         const double length = dimension == 2 ? h * h : h * h * h;
         return shape.slope(shape.norm(dimension), R / h) / (length * h * R);
+      },
+      kernel);
+}
+
+/** dw/dR of this w. */
+inline double kernel_slope_rate(const Kernel &kernel, int dimension, double R, double delta)
+{
+  if (R >= delta) return 0.0;
+  return std::visit(
+      [=](auto shape) {
+        const double h = delta / shape.SUPPORT, norm = shape.norm(dimension);
+        const double length = dimension == 2 ? h * h : h * h * h;
+        return (shape.curvature(norm, R / h) / h - shape.slope(norm, R / h) / R) /
+            (length * h * R);
       },
       kernel);
 }

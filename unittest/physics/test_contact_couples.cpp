@@ -61,7 +61,7 @@ template <int D> void ContactCouples::derivative(const Eigen::Matrix<double, D, 
       const ContactState<D> moved = state<D>(pair, at, G, high_bears);
       double sum = moved.penetration * moved.penetration;
       for (const double slip : moved.slip) sum += pair.shear_ratio * slip * slip;
-      return 0.5 * s.stiffness * sum;
+      return 0.5 * moved.stiffness * sum;
     };
 
     Vector<D> f;

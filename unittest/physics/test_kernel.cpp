@@ -88,6 +88,17 @@ TEST_P(Kernels, slope_of_kernel)
   }
 }
 
+// central differences, as above, between the places where splines are joined
+TEST_P(Kernels, rate_of_slope)
+{
+  const double step = 1.0e-4 * h, scale = w(0.3 * h) / h;
+  for (int k = 1; k < 201; k++) {
+    const double R = delta * k / 201.0, rate = (w(R + step) - w(R - step)) / (2.0 * step);
+    EXPECT_NEAR(kernel_slope_rate(kernel, dimension, R, delta), rate, 1.0e-6 * scale)
+        << "R/h = " << R / h;
+  }
+}
+
 // the kernel: its integral is 1, its slope is -w R, it vanishes from the support on
 TEST_P(Kernels, value)
 {
