@@ -1,0 +1,60 @@
+# TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+"""The test of Kalthoff and Winkler, examples/kalthoff: one crack grows 62 to 75 degrees off the notch on any
+lattice (experiment: 65 to 75, Kalthoff, Int. J. Fract. 101 (2000) 27), to within 6 degrees of each other, with
+faces that slide without friction. At the strength of the steel it starts at 20 to 28 microseconds (experiment: 24
+to 25)."""
+
+from pathlib import Path
+
+import numpy as np
+
+from tmsph_testing import Script, main
+
+EXAMPLE = Path(__file__).resolve().parents[2] / "examples/kalthoff/in.kalthoff"
+LATTICES = (("square", 0), ("square", 30), ("square", 45), ("hexagonal", 0), ("hexagonal", 30))
+
+
+class Plate:
+    def __init__(self, lattice, angle, **variables):
+        values = dict(lattice=lattice, angle=angle, dump=0, **variables)
+        script = Script("\n".join(f"variable {name} index {value}" for name, value in values.items())
+                        + "\ninclude in.kalthoff", {"in.kalthoff": EXAMPLE.read_text()})
+        run = script.run(keep="crack.txt")
+        columns = np.loadtxt(run.kept["crack.txt"].decode().splitlines(), skiprows=1)
+        step, self.time, self.bonds, self.energy, self.area, self.length, self.angle = columns.T
+
+    def judge(self, report, what):
+        report.within(f"{what}: angle of the crack", self.angle[-1], 62, 75)
+        report.above(f"{what}: length of the crack, mm", 1e3 * self.length[-1], 15)
+
+
+def plates(report, lattices, **variables):
+    all_of_them = []
+    for lattice, angle in lattices:
+        plate = Plate(lattice, angle, **variables)
+        plate.judge(report, f"{lattice} {angle}")
+        all_of_them.append(plate)
+    angles = [plate.angle[-1] for plate in all_of_them]
+    report.below("largest difference of the angles", np.ptp(angles), 6)
+    return all_of_them
+
+
+def two(report):
+    """A weaker steel, 1.0 GPa, at 1 mm, .24 of the characteristic length."""
+    plates(report, (LATTICES[0], LATTICES[4]))
+
+
+def five(report):
+    plates(report, LATTICES)
+
+
+def strong(report):
+    """The steel, 1.9 GPa, at 0.5 mm, .43 of the characteristic length."""
+    for (lattice, angle), plate in zip(LATTICES, plates(report, LATTICES, dx=0.5e-3,
+                                                        strength=1.9e9)):
+        start = plate.time[plate.bonds > 0][0]
+        report.within(f"{lattice} {angle}: start, us", 1e6 * start, 20, 28)
+
+
+if __name__ == "__main__":
+    main(two, more=[five, strong])
