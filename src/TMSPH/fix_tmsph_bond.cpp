@@ -38,7 +38,7 @@ static constexpr double AT_HORIZON = 1.0 - 2.0e-9;    // of the square
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), TMSPHReferenceGeometry(lmp), census(lmp, *this, this),
     lag(particle_values("velocity lag", 6)), list(nullptr), bonds_formed(false), laid_out(false),
-    faced(false), version(0), nremoved(0)
+    faced(false), version(0), forgotten(0)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
     error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
@@ -355,6 +355,8 @@ void FixTMSPHBond::lay_out()
       }
     }
   }
+  forgotten = removals();
+  removed.clear();
   laid_out = true;
   version++;
 }
@@ -382,7 +384,8 @@ void FixTMSPHBond::stop_lost(int i, tagint partner) const
 void FixTMSPHBond::remove_bond(int i, int k, State why)
 {
   set_state(i, k, why);
-  nremoved++;
+  drop_carried(i, k);
+  removed.push_back(i);
   const size_t at = slices.at(i, k);
   slices.weight[at] = 0.0f;
   if (!slices.averaging.empty()) slices.averaging[at] = 0.0f;
@@ -392,7 +395,7 @@ void FixTMSPHBond::remove_bond(int i, int k, State why)
 
 bool FixTMSPHBond::removed_anywhere(int since) const
 {
-  int mine = nremoved != since, any;
+  int mine = removals() != since, any;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
   return any;
 }

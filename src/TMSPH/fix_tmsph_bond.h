@@ -76,7 +76,8 @@ class FixTMSPHBond : public Fix, public TMSPHFamilies, public TMSPHReferenceGeom
   {
     return slices.partner[slices.at(i, k)];
   }
-  /// takes the bond from this end; whoever decides must decide alike at the other end
+  /// takes the bond from this end, and what it carries; whoever decides must decide alike at the
+  /// other end
   void remove_bond(int i, int k, State why);
   /// velocity that the viscosity of a setup takes for local particle i, see lag below
   const double *setup_velocity(int i) const;
@@ -90,7 +91,12 @@ class FixTMSPHBond : public Fix, public TMSPHFamilies, public TMSPHReferenceGeom
   std::pair<int, int> family_sizes() const;
   int layout_version() const { return version; }
   /// grows whenever a bond of a local particle is removed
-  int removals() const { return nremoved; }
+  int removals() const { return forgotten + (int) removed.size(); }
+  /// calls use(i) for each end that was removed since there were so many, in the present layout
+  template <class Use> void each_removal(int since, Use use) const
+  {
+    for (size_t n = std::max(0, since - forgotten); n < removed.size(); n++) use(removed[n]);
+  }
   /// true if a bond was removed on any processor since this one had so many (collective)
   bool removed_anywhere(int since) const;
   const TMSPH::Slices &layout() const { return slices; }
@@ -109,7 +115,9 @@ class FixTMSPHBond : public Fix, public TMSPHFamilies, public TMSPHReferenceGeom
   bool bonds_formed;
   bool laid_out;                // no particle has changed its place in the arrays since
   bool faced;                   // with pairs of types that may touch, see touching()
-  int version, nremoved;
+  int version;
+  int forgotten;                // removals before the present layout
+  std::vector<int> removed;     // local particle of each since
   TMSPH::Slices slices;
 
   void form();
@@ -189,6 +197,11 @@ class TMSPHBondWatch {
   bool laid_out_anew(const FixTMSPHBond &bonds) const { return version != bonds.layout_version(); }
   /// bonds of this processor are gone, of any processor (collective)
   bool removed(const FixTMSPHBond &bonds) const { return removals != bonds.removals(); }
+  /// calls use(i) for each end that was removed, in the present layout
+  template <class Use> void each_removal(const FixTMSPHBond &bonds, Use use) const
+  {
+    bonds.each_removal(removals, use);
+  }
   bool removed_anywhere(const FixTMSPHBond &bonds) const { return bonds.removed_anywhere(removals); }
   void see(const FixTMSPHBond &bonds)
   {

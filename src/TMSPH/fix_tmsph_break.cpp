@@ -120,6 +120,12 @@ void FixTMSPHBreak::follow_layout()
   ghosts.complete(strengths);
   ghosts.complete(debris.spacings());
   if (list) debris.list_candidates(*list, neighbor->skin, *bonds);
+  border.assign(atom->nlocal, INSIDE);
+  for (int i = 0; i < atom->nlocal; i++)
+    for (const auto &bond : bonds->family(i, FixTMSPHBond::WHOLE)) {
+      if (bond.j >= atom->nlocal) border[i] = std::max<char>(border[i], BESIDE_GHOSTS);
+      if (!one_rock && !criterion->alike(atom->type[i], atom->type[bond.j])) border[i] = MIXED;
+    }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -167,10 +173,28 @@ Principals FixTMSPHBreak::principals_of(int i, const double *stress) const
 bool FixTMSPHBreak::may_fail(int i, const double *stress) const
 {
   if (all_principals) return true;
-  static const double REACH_3D = 2.0 / std::sqrt(3.0);
   const bool two = domain->dimension == 2;
   const TMSPH::Invariants v = two ? TMSPH::invariants_2d(stress) : TMSPH::invariants_3d(stress);
-  return criterion->may_fail(atom->type[i], v, two ? 1.0 : REACH_3D, strengths[i]);
+  return criterion->may_fail(atom->type[i], v, two ? 1.0 : TMSPH::REACH_3D, strengths[i]);
+}
+
+/* ----------------------------------------------------------------------
+   particles with a bond that is tested: to a suspect one, or between different rocks
+------------------------------------------------------------------------- */
+
+void FixTMSPHBreak::find_tested()
+{
+  const int nlocal = atom->nlocal;
+  const bool ghosts_too =
+      std::any_of(suspect.begin() + nlocal, suspect.end(), [](char one) { return one != 0; });
+  tested.assign(nlocal, 0);
+  for (int i = 0; i < nlocal; i++) {
+    if (suspect[i])
+      for (const auto &bond : bonds->family(i, FixTMSPHBond::WHOLE))
+        if (bond.j < nlocal) tested[bond.j] = 1;
+    if (suspect[i] || border[i] == MIXED || (border[i] == BESIDE_GHOSTS && ghosts_too))
+      tested[i] = 1;
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -191,21 +215,22 @@ void FixTMSPHBreak::find_due(const double *stress)
   due_bonds.clear();
   test = Test();
 
-  beyond.resize(nall);
-  bool any = ranked || !one_rock || looking;
+  suspect.resize(nall);
   for (int i = 0; i < nall; i++) {
-    beyond[i] = ranked || (may_fail(i, row(i)) &&
+    const bool fails = ranked || (may_fail(i, row(i)) &&
         criterion->fails(type[i], type[i], principals_of(i, row(i)), strengths[i]));
-    any = any || beyond[i];
+    suspect[i] = (fails ? BEYOND : 0) | (looking && opening->near(i) ? NEAR : 0);
   }
-  if (!any) return;
+  find_tested();
 
   for (int i = 0; i < nlocal; i++) {
+    if (!tested[i]) continue;
     for (const auto &[k, j, state] : bonds->family(i, FixTMSPHBond::WHOLE)) {
-      const bool same = one_rock || criterion->alike(type[i], type[j]);
-      const bool open = looking && opens(i, j);
-      if (same && !beyond[i] && !beyond[j] && !(open && (opening->near(i) || opening->near(j))))
-        continue;
+      const bool same = one_rock || type[i] == type[j] || criterion->alike(type[i], type[j]);
+      const char either = suspect[i] | suspect[j];
+      if (same && !either) continue;
+      const bool softens = opens(i, j), looked = softens && (either & NEAR);
+      if (same && !(either & BEYOND) && !looked) continue;
 
       Due bond = {i, k, 0.0, {}, {}};
       double zz = 0.0;
@@ -214,7 +239,7 @@ void FixTMSPHBreak::find_due(const double *stress)
         zz = 0.5 * (pair->stress_zz(i, row(i)[0], row(i)[1]) +
                     pair->stress_zz(j, row(j)[0], row(j)[1]));
       bond.principals = principals(bond.stress, zz);
-      if (opens(i, j) && (!looking || begin_opening(bond))) continue;
+      if (softens && (looked ? begin_opening(bond) : pulled(bond))) continue;
       const double strength = 0.5 * (strengths[i] + strengths[j]);
       const int other = same ? type[i] : type[j];
       if (ranked) {
@@ -261,10 +286,10 @@ void FixTMSPHBreak::break_bonds(const double *stress, std::vector<int> &touched)
     const int i = bond.i, j = bonds->partner_index(i, bond.k);
     if (atom->tag[i] < atom->tag[j]) record(bond);
     bonds->remove_bond(i, bond.k, FixTMSPHBond::BROKEN);
-    if (opening) opening->forget(i, bond.k);
     if (list) debris.add(i, j, *bonds);
     if (touched.empty() || touched.back() != i) touched.push_back(i);
   }
+  if (opening) opening->list_open();
   if (events.size() > event_rows.size()) list_events();
 }
 
@@ -404,7 +429,7 @@ double FixTMSPHBreak::compute_scalar()
 
 /* ----------------------------------------------------------------------
    1 broken in tension, 2 in shear, 3 on this step, 4 largest load factor of a
-   particle, 5 fragment contacts
+   particle, 5 contacts, 6 and on of openings
 ------------------------------------------------------------------------- */
 
 double FixTMSPHBreak::compute_vector(int n)
@@ -417,7 +442,11 @@ double FixTMSPHBreak::compute_vector(int n)
     return sum;
   }
   if (n == 3) return largest_load();
-  double mine = n == 2 ? (double) broken_now : 0.5 * debris.contacts();
+  if (n == 4 && !list) {
+    const auto contact = pair ? pair->contact_of_surfaces() : nullptr;
+    return contact ? contact->touching_pairs() : 0.0;
+  }
+  const double mine = n == 2 ? (double) broken_now : 0.5 * debris.contacts();
   double all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;

@@ -50,6 +50,8 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
     double largest = 0.0;    // load factor of a bond
     bigint broken = 0;
   };
+  /// true if bonds of a type open
+  bool softens() const;
   /// a step of the thermal clock begins
   void begin_step() { broken_now = 0; }
   /** Bonds are tested in the next force evaluation. Those break whose load factor is at least 1
@@ -98,7 +100,11 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
   bool armed;                            // in a step of a run, not in setup or minimization
   int version;                           // layout that the arrays below belong to
   std::vector<double> strengths;         // [nlocal+nghost] drawn strengths
-  std::vector<char> beyond;              // [nlocal+nghost] fails with its own stress and strength
+  enum : char { BEYOND = 1, NEAR = 2 };
+  std::vector<char> suspect;             // [nlocal+nghost] fails itself, or is near openings
+  enum : char { INSIDE, BESIDE_GHOSTS, MIXED };
+  std::vector<char> border;              // [nlocal] of its bonds, as long as no particle moves on
+  std::vector<char> tested;              // [nlocal] in this step
   bigint broken[2];                      // in tension, in shear: events recorded here
   bigint broken_now;
   bool fresh;                            // nothing has been tested yet, in this or an earlier run
@@ -108,7 +114,7 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
   std::unique_ptr<TMSPHOpenings> opening;    // with energy or toughness
   TMSPHOpenings::Balance before{};       // from a restart file
   TMSPHBondWatch damage_watch;
-  std::vector<char> damaged, watched;    // of local particles: bonds are gone; their bonds are tested
+  std::vector<char> damaged, watched;    // of local particles: bonds are gone; they are looked at
   bool began;                            // here, in this test
   bool looking;                          // at bonds that may open, on some processor
   std::vector<Event> events;
@@ -120,13 +126,20 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
   TMSPH::Principals principals(const double *stress, double zz) const;
   TMSPH::Principals principals_of(int i, const double *stress) const;
   bool may_fail(int i, const double *stress) const;
+  void find_tested();
   void find_due(const double *stress);
   void follow_openings(const double *stress);
   bool opens(int i, int j) const;
-  bool opens_type(int type) const { return rocks[type].energy > 0.0 || rocks[type].toughness > 0.0; }
+  bool opens_type(int type) const
+  {
+    return rocks[type].energy > 0.0 || rocks[type].toughness > 0.0;
+  }
   void check_openings() const;
   double characteristic_length(int type) const;
   double tensile_strength_of(int i) const { return strengths[i] * rocks[atom->type[i]].tensile; }
+  bool may_open(int i, const double *stress) const;
+  bool pulled(const Due &) const;
+  double bond_strength(const Due &) const;
   bool begin_opening(Due &);
   void init_openings();
   void complete_openings();

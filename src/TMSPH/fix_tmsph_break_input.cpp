@@ -272,6 +272,8 @@ void FixTMSPHBreak::restart(char *buf)
 
 double FixTMSPHBreak::memory_usage()
 {
-  return strengths.capacity() * sizeof(double) + beyond.capacity() +
-      events.capacity() * (sizeof(Event) + sizeof(double *)) + due_bonds.capacity() * sizeof(Due);
+  return strengths.capacity() * sizeof(double) + suspect.capacity() + border.capacity() +
+      tested.capacity() + events.capacity() * (sizeof(Event) + sizeof(double *)) +
+      due_bonds.capacity() * sizeof(Due) +
+      damaged.capacity() + watched.capacity() + (opening ? opening->bytes() : 0.0);
 }

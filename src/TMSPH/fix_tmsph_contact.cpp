@@ -90,13 +90,17 @@ void FixTMSPHContact::follow(bool after_breaks)
                  watch.removed_anywhere(bonds)))
     return;
   std::vector<TMSPHContactList::Pairing> before;    // their particles are still where they were
-  if (!anew) before = list.pairings;
+  std::vector<int> touched;
+  if (!anew) {
+    before = list.pairings;
+    watch.each_removal(bonds, [&touched](int i) { touched.push_back(i); });
+  }
   watch.see(bonds);
   if (outlines) {
     outlines->find();
     outlines->face();
   }
-  list_pairs();
+  list_pairs(anew ? nullptr : &touched);
   if (!list.anywhere) return;
   fits.fit(list);
   list.find_refits(before);
@@ -104,10 +108,11 @@ void FixTMSPHContact::follow(bool after_breaks)
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHContact::list_pairs()
+void FixTMSPHContact::list_pairs(const std::vector<int> *touched)
 {
-  maxexchange = std::max(list.make(outlines.get()), TMSPHContactMemory::size(0, 0, 0, 0));
-  if (possible()) couples.find_bearers();
+  maxexchange =
+      std::max(list.make(outlines.get(), touched), TMSPHContactMemory::size(0, 0, 0, 0));
+  couples.list_anew();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -134,7 +139,7 @@ template <int D> void FixTMSPHContact::evaluate(double dt)
   const bool changed = search.find<D>(forces.states<D>());
   if (outlines) outlines->face();
   if (!changed && !outlines) return;
-  list_pairs();
+  list_pairs(nullptr);
   if (list.anywhere) fits.fit(list);
 }
 

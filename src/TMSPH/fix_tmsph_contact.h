@@ -72,6 +72,8 @@ class FixTMSPHContact : public Fix,
   void add_loads(std::vector<Load> &) override;
   bool may_press() const override { return possible(); }
   int doubles_per_ghost() const override;
+  void opened(int i, int k) override { list.opened(i, k); }
+  double touching_pairs() override { return compute_vector(TMSPHContactTotals::TOUCHING); }
   void touches(std::vector<Touch> &) override;
   void rubbings(std::vector<Rubbing> &) override;
 
@@ -95,7 +97,7 @@ class FixTMSPHContact : public Fix,
   void read_friction(class TMSPHValues &);
   void read_method(TMSPHValues &);
   void follow(bool after_breaks);
-  void list_pairs();
+  void list_pairs(const std::vector<int> *touched);
   bool facing() const { return outlines && outlines->any; }
   bool possible() const { return list.anywhere || facing(); }
   void act(double dt);

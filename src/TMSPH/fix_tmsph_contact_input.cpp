@@ -12,6 +12,7 @@
 #include "error.h"
 #include "force.h"
 #include "modify.h"
+#include "tmsph_faces.h"
 #include "tmsph_last_force.h"
 #include "tmsph_restart.h"
 #include "tmsph_words.h"
@@ -76,7 +77,7 @@ void FixTMSPHContact::parse(int narg, char **arg)
       {{"friction", "I J mu", [this](TMSPHValues &v) { read_friction(v); }},
        {"law", "name", [this](TMSPHValues &v) { scene.law = v.one_of(TMSPH::contact_laws()); }},
        {"method", "name", [this](TMSPHValues &v) { read_method(v); }},
-       {"self", "yes/no", [this](TMSPHValues &v) { scene.self = v.logical(); }},
+       {"self", "yes/no", [this](TMSPHValues &v) { scene.rough_faces = v.logical(); }},
        {"stiffness", "factor",
         [this](TMSPHValues &v) {
           scene.stiffness =
@@ -124,6 +125,7 @@ void FixTMSPHContact::init()
     error->all(FLERR, "More than one fix tmsph/contact: give all types in a single one");
   scene.pair = pair;
   scene.bonds = pair->bonds();
+  scene.self = scene.rough_faces || TMSPHFaces::possible(lmp);
   pair->set_contact(this);
   forces.init();
   comm_forward = TMSPHContactFit::MOST_SENT;    // for LAMMPS's buffers
@@ -131,7 +133,8 @@ void FixTMSPHContact::init()
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = 1; j < i; j++) bodies = bodies || !pair->bonded(i, j);
   const FixTMSPHBond &bonds = *scene.bonds;
-  if (bodies && bonds.formed() && !bonds.formed_with_contact() && comm->me == 0)
+  if (bodies && bonds.formed() && !bonds.formed_with_contact() && scene.id != TMSPHFaces::ID &&
+      comm->me == 0)
     error->warning(FLERR,
                    "Fix tmsph/contact {} was defined after the first run: bodies that stood "
                    "against each other there touch from where they are when it finds them; define "

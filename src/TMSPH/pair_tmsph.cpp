@@ -45,7 +45,7 @@ template <int D> void PairTMSPH::evaluate()
   if (testing && opens()) {
     std::vector<int> touched;
     break_test->remove_opened(touched);
-    follow<D>(touched);
+    reshape<D>(touched);
   }
 
   // where the particles are
@@ -166,10 +166,10 @@ template <int D> void PairTMSPH::test_bonds()
 }
 
 /* ----------------------------------------------------------------------
-   particles that lost a bond get new shape matrices, gradients and stresses
+   what does not depend on the positions of particles that lost a bond
 ------------------------------------------------------------------------- */
 
-template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
+template <int D> void PairTMSPH::reshape(const std::vector<int> &touched)
 {
   Slices &all = bond_fix->layout();
   for (int i : touched) {
@@ -178,6 +178,18 @@ template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
     own_side.follow<D>(i, *bond_fix, *atom, rows.kinematic());
     bond_fix->update_damage(i);
   }
+  pressed.follow(*bond_fix, touched);
+  coupling.follow(*bond_fix, touched);
+}
+
+/* ----------------------------------------------------------------------
+   particles that lost a bond get new shape matrices, gradients and stresses
+------------------------------------------------------------------------- */
+
+template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
+{
+  reshape<D>(touched);
+  const Slices &all = bond_fix->layout();
   GradientOutput out;
   out.force_row = rows.force();
   if (contact || averaging.on() || openings()) out.gradient = gradient.data();
@@ -189,8 +201,6 @@ template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
   }
   if (opens())
     openings()->correct<D>({on, all, rows.kinematic(), rows.force(), gradient.data(), nullptr});
-  pressed.follow(*bond_fix, touched);
-  coupling.follow(*bond_fix, touched);
   if (averaging.on()) averaging.find_pressures<D>(*bond_fix, on.thermal, gradient.data());
 }
 

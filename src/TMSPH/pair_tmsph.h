@@ -122,13 +122,13 @@ class PairTMSPH : public Pair,
 
   void allocate();
   std::string features() const;
-  TMSPHOpenings *openings() const { return break_test ? break_test->openings() : nullptr; }
   bool opens() const;
   template <int D> void prepare();
   template <int D> void evaluate();
   template <int D> void find_gradients(TMSPH::GradientOutput, bool keep);
   template <int D> void find_stresses(bool inverted_breaks);
   template <int D> void test_bonds();
+  template <int D> void reshape(const std::vector<int> &touched);
   template <int D> void follow(const std::vector<int> &touched);
   template <int D> void complete_rows();
   template <int D> void find_forces(const TMSPH::Viscosity &, double *f, int stride);

@@ -16,6 +16,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "tmsph_doubts.h"
+#include "tmsph_faces.h"
 #include "tmsph_last_force.h"
 #include "tmsph_words.h"
 #include "update.h"
@@ -183,6 +184,7 @@ void PairTMSPH::init_style()
   if (!bond_fix->formed()) check_reach(lmp, horizon());
   complete_particles(bond_fix->formed());
   the_box.init();
+  TMSPHFaces::provide(lmp);
   TMSPHLastForce::put_last(lmp);
 }
 

@@ -45,6 +45,7 @@ std::string PairTMSPH::features() const
   if (averaging.on()) text += ", averaged dilatation";
   if (coupling.on()) text += ", coupled interfaces";
   if (on.hourglass) text += fmt::format(", hourglass {}", chosen.hourglass);
+  if (openings()) text += ", more of it where bonds open";
   if (on.viscosity) text += fmt::format(", viscosity {} {}", chosen.alpha1, chosen.alpha2);
   if (break_test)
     text += fmt::format(", breaking with {} doubles more per ghost", stress_row(domain->dimension));

@@ -28,8 +28,8 @@ static constexpr double FLAT = 0.01;
 /* ----------------------------------------------------------------------
    S such that forces W_ij S X_ij on the partners have the moments sum f x = T. They do the work
    T : dF F^-1 on any motion of the partners, as F = sum W x X^T K^-1 and G = K F^T. Where the bonds
-   are crushed flat, or inside out, they turn as if they were rigid: S X is w x (R X) with the rotation
-   R of F and the same couple c = (tr R G - R G) w.
+   are crushed flat, or inside out, they turn as if they were rigid: S X is w x (R X) with the
+   rotation R of F and the same couple c = (tr R G - R G) w.
    @param G sum of W_ij X_ij x_ij^T
    @param T sum of f x to be exerted
 ------------------------------------------------------------------------- */
@@ -114,7 +114,8 @@ template <int D> class Couples {
     return Eigen::Map<const Square<D>>(first + (size_t) SIZE * i);
   }
   bool touches(int i) const { return first[(size_t) SIZE * i + TOUCHES] != 0.0; }
-  bool presses(int i) const { return first[(size_t) SIZE * i + PRESSES] != 0.0; }    ///< else S is 0
+  /// else S is 0
+  bool presses(int i) const { return first[(size_t) SIZE * i + PRESSES] != 0.0; }
 
  private:
   const double *const first;

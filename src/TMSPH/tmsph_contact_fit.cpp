@@ -222,6 +222,8 @@ void TMSPHContactFit::set_stiffness(Pairing &pairing, double kappa, double ratio
   pairing.pair.shear_ratio = ratio * mean(one.shear, other.shear) / modulus;
   pairing.pair.stiffness = scene.stiffness * closure * 2.0 * modulus / kappa * atom->vfrac[low] *
       atom->vfrac[high];
-  pairing.pair.friction = scene.friction[type[low]][type[high]];
+  const bool one_body = scene.pair->bonded(type[low], type[high]);
+  pairing.pair.friction =
+      one_body && !scene.rough_faces ? 0.0 : scene.friction[type[low]][type[high]];
   pairing.pair.horizon = scene.pair->horizon(type[low], type[high]);
 }

@@ -12,6 +12,7 @@
 #include "tmsph_contact_rows.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -29,15 +30,31 @@ void TMSPHContactList::find_refits(const std::vector<Pairing> &before)
   };
   std::vector<Pairing> sorted(before);
   std::sort(sorted.begin(), sorted.end(), order);
-  for (size_t n = 0; n < pairings.size() && !sorted.empty(); n++) {
+  std::sort(fresh.begin(), fresh.end());
+  for (size_t n = 0; n < pairings.size() && !(sorted.empty() && fresh.empty()); n++) {
     const Pairing &p = pairings[n];
+    if (p.meeting != Meeting::FACES) continue;
+    if (std::binary_search(fresh.begin(), fresh.end(),
+                           std::make_pair(atom->tag[p.low], atom->tag[p.high]))) {
+      refits.push_back({(int) n, p.pair});
+      refits.back().before.distance = -p.pair.horizon;    // far apart
+      continue;
+    }
     const auto old = std::lower_bound(sorted.begin(), sorted.end(), p, order);
-    if (p.meeting != Meeting::FACES || old == sorted.end() || order(p, *old)) continue;
+    if (old == sorted.end() || order(p, *old)) continue;
     const ContactPair &was = old->pair, &is = p.pair;
     if (was.distance != is.distance ||
         !std::equal(is.normal_low, is.normal_low + domain->dimension, was.normal_low))
       refits.push_back({(int) n, was});
   }
+  fresh.clear();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHContactList::opened(int i, int k)
+{
+  fresh.push_back(std::minmax(atom->tag[i], scene.bonds->partner_tag(i, k)));
 }
 
 /* ----------------------------------------------------------------------
@@ -100,17 +117,19 @@ int TMSPHContactList::room(const TMSPHContactMemory &m) const
 
 /* ----------------------------------------------------------------------
    particles with pairs or at outlines, and their ends
-   @return most doubles of one
+   @param candidates local particles in ascending order, all that may have some
+   @return           most doubles of one
 ------------------------------------------------------------------------- */
 
-int TMSPHContactList::list_members(const TMSPHContactOutlines *outlines)
+int TMSPHContactList::list_members(const TMSPHContactOutlines *outlines,
+                                   const std::vector<int> &candidates)
 {
   write_back();
   TMSPHContactMemories kept;
   members.clear();
   ends.clear();
   int largest = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
+  for (const int i : candidates) {
     if (!(atom->mask[i] & scene.groupbit)) continue;
     TMSPHContactMemory before;
     if (TMSPHContactMemory *found = memories.find(atom->tag[i])) before = std::move(*found);
@@ -160,9 +179,19 @@ void TMSPHContactList::add_pairing(const Member &m, End &e)
 
 /* ---------------------------------------------------------------------- */
 
-int TMSPHContactList::make(const TMSPHContactOutlines *outlines)
+int TMSPHContactList::make(const TMSPHContactOutlines *outlines, const std::vector<int> *touched)
 {
-  const int largest = list_members(outlines);
+  std::vector<int> candidates;
+  if (touched && !outlines) {
+    candidates = *touched;
+    for (const Member &m : members) candidates.push_back(m.i);
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  } else {
+    candidates.resize(atom->nlocal);
+    std::iota(candidates.begin(), candidates.end(), 0);
+  }
+  const int largest = list_members(outlines, candidates);
 
   // the higher end, if both are local, comes back to the pair of the lower one
 

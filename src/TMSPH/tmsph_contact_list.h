@@ -61,9 +61,13 @@ class TMSPHContactList : protected Pointers {
   /** Lists them again, after an exchange of particles and when bonds have gone (collective). What
       is remembered of particles and pairs that are not listed any more is forgotten.
       @param outlines nullptr, or those of method segment, whose particles are members too
+      @param touched  nullptr, or all local particles that lost a bond since the last time, where
+                      nothing else has changed
       @return         most doubles that a particle takes in restarts, on any processor */
-  int make(const class TMSPHContactOutlines *outlines);
-  /// notes pairs of crack faces that had other surfaces before bonds broke
+  int make(const class TMSPHContactOutlines *outlines, const std::vector<int> *touched);
+  /// bond k of local particle i goes, open: its pair begins without force
+  void opened(int i, int k);
+  /// notes pairs of crack faces that had other surfaces before bonds broke, or begin without force
   void find_refits(const std::vector<Pairing> &before);
 
   TMSPHContactMemory &memory(const Member &m) { return memories[m.memory]; }
@@ -77,8 +81,9 @@ class TMSPHContactList : protected Pointers {
   const TMSPHContactScene &scene;
   TMSPHContactMemories &memories;
   bool ahead = false;
+  std::vector<std::pair<tagint, tagint>> fresh;    // ids of ends whose bonds went open, low and high
 
-  int list_members(const class TMSPHContactOutlines *);
+  int list_members(const class TMSPHContactOutlines *, const std::vector<int> &candidates);
   std::vector<int> list_records(int i, const TMSPHContactMemory &before,
                                 std::vector<TMSPHContactMemory::Record> &) const;
   void list_ends(int i, const TMSPHContactMemory &, const std::vector<int> &partners);

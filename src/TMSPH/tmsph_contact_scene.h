@@ -26,7 +26,8 @@ struct TMSPHContactScene {
   std::string id;                                  // of the fix
   int groupbit = 0;
   bool segments = false;                           // bodies touch at their outlines, else in pairs
-  bool self = true;                                // faces of cracks and cuts touch too
+  bool rough_faces = true;                         // those of cracks and cuts have friction too
+  bool self = true;                                // they touch
   TMSPH::ContactLaw law = TMSPH::CONTACT_LAWS[0];
   double stiffness = 1.0;                          // factor to the default
   std::vector<std::vector<double>> friction;       // by type and type

@@ -61,6 +61,10 @@ class TMSPHFamilies {
   /// the family of the particle with this id as it forms; members by ascending ids
   void set_family(int i, tagint id, const std::vector<std::pair<tagint, State>> &members);
   void set_state(int i, int k, State to) { state[at(i, k)] = to; }
+  void drop_carried(int i, int k)
+  {
+    for (auto &values : of_bonds) values->erase(i, k);
+  }
   void grow_rows(int nmax);
   void copy_row(int i, int j);
   void clear_row(int i);

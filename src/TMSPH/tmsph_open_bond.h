@@ -123,6 +123,7 @@ template <int D> struct OpenFit {
   // results of evaluate()
 
   SquareMatrix<D> rotation;          ///< R
+  SquareMatrix<D> seen;              ///< gradient of the displacements with all jumps
   SquareMatrix<D> H, P;              ///< elastic gradient, first Piola-Kirchhoff stress
   SquareMatrix<D> B;                 ///< of f^i above
   SquareMatrix<D> B_turning;         ///< and with the derivative of the rotation
@@ -133,7 +134,8 @@ template <int D> struct OpenFit {
     const SquareMatrix<D> identity = SquareMatrix<D>::Identity();
     SquareMatrix<D> raw = SquareMatrix<D>::Zero(), jumps = raw;
     for (const auto &b : bonds) raw += b.weight * b.u * b.X.transpose();
-    const Polar<D> polar(identity + raw * shape_inverse);
+    seen = raw * shape_inverse;
+    const Polar<D> polar(identity + seen);
     rotation = polar.rotation;
     for (const auto &b : bonds)
       if (b.open != 0.0) jumps += (b.weight * b.open) * (rotation * b.normal) * b.X.transpose();

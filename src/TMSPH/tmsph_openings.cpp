@@ -8,7 +8,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "tmsph_open_row.h"
-#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,6 +163,7 @@ template <int D> void TMSPHOpenings::finish(const TMSPHBondState &s)
     std::visit([&fit](auto elastic) { fit.evaluate(elastic); }, s.on.law);
     store<D>(fit.B_turning, s.force_row + (size_t) i * Rows<D>::FORCE);
     store<D>(fit.rotation, rows[i] + O::R);
+    store<D>(fit.seen, s.gradient + (size_t) i * D * D);    // faces are carried along by it
     energy[n] = {i, fit.energy};
     for (int m = 0; m < values.count(i); m++)
       energy[n].energy += 0.5 * bond(i, m).area *
@@ -245,6 +245,14 @@ TMSPHOpenings::Balance TMSPHOpenings::balance() const
 }
 
 /* ---------------------------------------------------------------------- */
+
+double TMSPHOpenings::bytes() const
+{
+  const auto size = [](const auto &one) { return one.capacity() * sizeof(one[0]); };
+  return rows.bytes() + size(open) + size(energy) +
+      size(std::get<std::vector<OpenFit<2>>>(fits_of)) +
+      size(std::get<std::vector<OpenFit<3>>>(fits_of));
+}
 
 /* ---------------------------------------------------------------------- */
 

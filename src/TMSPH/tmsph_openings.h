@@ -22,6 +22,7 @@
 
 #include <array>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -49,8 +50,8 @@ class TMSPHOpenings : protected Pointers {
   void look(bool anywhere) { any = anywhere; }
   /// particles may have changed places (collective)
   void follow();
-  /// the bond at place k of local particle i is gone for another reason
-  void forget(int i, int k) { values.erase(i, k); }
+  /// bonds were removed here
+  void list_open();
 
   /// gradients, stresses and the first part of the force rows of particles with openings
   template <int D> void correct(const TMSPHBondState &);
@@ -82,20 +83,17 @@ class TMSPHOpenings : protected Pointers {
   /// areas of those that just began, on some processor (collective)
   template <int D> void complete(const TMSPHBondState &);
   /// openings follow the tractions, again and again (collective); after exchange()
-  template <int D> void update(TMSPHBondState, const std::vector<char> &near);
-  /// bonds that leave the fit now: of these i and k, seen from each end
-  struct Leaving {
-    int i, k;
-    TMSPH::OpenBond bond;
-  };
-  std::vector<Leaving> take_leaving();
+  template <int D> void update(TMSPHBondState);
+  /// particles and places of bonds that leave the fit now, seen from each end; booked as finished
+  std::vector<std::pair<int, int>> leaving();
 
   /// doubles per particle that it sends at most
   int most_sent() const;
-  double bytes() const { return rows.bytes(); }
+  double bytes() const;
 
   /// of this processor, half of each bond at each end: energies that openings took, that they hold,
-  /// that updates gained (0 in theory) and that is lost with bonds that left the fit; area, that of unfinished ones by their opening; number of opening bonds
+  /// that updates gained (0 in theory) and that is lost with bonds that left the fit; area, that of
+  /// unfinished ones by their opening; number of opening bonds
   enum { DISSIPATED, STORED, GAINED, LOST, AREA, OPENING, FIGURES };
   using Balance = std::array<double, FIGURES>;
   Balance balance() const;
@@ -123,16 +121,20 @@ class TMSPHOpenings : protected Pointers {
   bool updated = false;              // there was one
   TMSPH::CohesiveLaw law;
 
-  TMSPH::OpenBond &bond(int i, int n) { return *reinterpret_cast<TMSPH::OpenBond *>(values.values(i, n)); }
+  TMSPH::OpenBond &bond(int i, int n)
+  {
+    return *reinterpret_cast<TMSPH::OpenBond *>(values.values(i, n));
+  }
   const TMSPH::OpenBond &bond(int i, int n) const
   {
     return *reinterpret_cast<const TMSPH::OpenBond *>(values.values(i, n));
   }
-  void list_open();
   void make_rows(int width);
   /// X and u' of bond (i, j), with the displacements of the rows: the same bits from both ends
   template <int D> double relative(int i, int j, double *X, double *u) const;
   template <int D> void gather(const TMSPHBondState &, int i, TMSPH::OpenFit<D> &) const;
+  /// rows of particles with openings after their fits
+  template <int D> void fill_open_rows();
   template <int D> double update_once(bool decides);
   void decide_leaving(int i, int j, TMSPH::OpenBond &);
   void book(double energy_of_fits);

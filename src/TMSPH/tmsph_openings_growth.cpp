@@ -11,14 +11,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 
 namespace {
 
-// a bond leaves the fit only if the smallest eigenvalue of Kbar stays above this part of that in the
-// interior at both its ends; chosen, not scanned, in the study of opening bonds with shear
+// a bond leaves the fit only if the smallest eigenvalue of Kbar stays above this part of that in
+// the interior at both its ends; chosen, not scanned, in the study of opening bonds with shear
 
 constexpr double LEAST_SHAPE = 0.2;
 
@@ -35,12 +36,12 @@ constexpr int MOST_SWEEPS = 30;
 
 constexpr double FULLY = 0.999;
 
-// bonds along the faces of a crack do not open it; with the cosine the area that they stand for goes
-// to zero
+// bonds along the faces of a crack do not open it; with the cosine the area that they stand for
+// goes to zero
 
 constexpr double SMALLEST_COSINE = 1.0e-6;
 
-// The area of a bond is at least and at most so many times that in the interior, where K = V kappa I
+// the area of a bond is at least and at most so many times that in the interior, where K = V kappa I
 
 constexpr double SMALLEST_AREA = 0.2, LARGEST_AREA = 5.0;
 
@@ -73,7 +74,6 @@ void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &n
 {
   using O = OpenRow<D>;
   using R = Rows<D>;
-  const auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
   make_rows(O::WIDTH);
   near_column = O::NEAR;
   candidate_column = O::CANDIDATE;
@@ -90,16 +90,30 @@ void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &n
     r[O::NEAR] = near[i];
     r[O::LEAST] = 0.0;    // no openings
   }
+  fill_open_rows<D>();
+  const auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
   for (size_t n = 0; n < open.size(); n++) {
-    const int i = open[n];
-    double *const r = rows[i];
-    store<D>(fits[n].rotation, r + O::R);
-    store<D>(fits[n].B, r + O::B);
-    r[O::LEAST] = std::max(least_of_shape<D>(fits[n].shape_inverse, fits[n].volume,
-                                             bonds.interior_kappa()), 1.0e-300);
-    find_candidate<D>(i, fits[n], s.on.law);
+    const auto &fit = fits[n];
+    rows[open[n]][O::LEAST] =
+        std::max(least_of_shape<D>(fit.shape_inverse, fit.volume, bonds.interior_kappa()),
+                 std::numeric_limits<double>::min());
+    find_candidate<D>(open[n], fit, s.on.law);
   }
   ghosts.send(rows, 0, O::WIDTH);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void TMSPHOpenings::fill_open_rows()
+{
+  using O = OpenRow<D>;
+  const auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
+  for (size_t n = 0; n < open.size(); n++) {
+    double *const r = rows[open[n]];
+    store<D>(fits[n].H, r + O::H);
+    store<D>(fits[n].rotation, r + O::R);
+    store<D>(fits[n].B, r + O::B);
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -262,12 +276,15 @@ template <int D> void TMSPHOpenings::complete(const TMSPHBondState &s)
    All openings follow at once, again and again, until the tractions are on their laws.
 ------------------------------------------------------------------------- */
 
-template <int D>
-void TMSPHOpenings::update(TMSPHBondState s, const std::vector<char> &near)
+template <int D> void TMSPHOpenings::update(TMSPHBondState s)
 {
+  using O = OpenRow<D>;
   s.stress = nullptr;    // ghosts have that of before
   for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
-    if (sweep) exchange<D>(s, near);
+    if (sweep) {
+      fill_open_rows<D>();
+      ghosts.send(rows, O::H, O::LEAST - O::H);
+    }
     const double mine = update_once<D>(sweep == 0);
     correct<D>(s);
     double largest;
@@ -340,21 +357,19 @@ void TMSPHOpenings::decide_leaving(int i, int j, OpenBond &b)
 
 /* ---------------------------------------------------------------------- */
 
-std::vector<TMSPHOpenings::Leaving> TMSPHOpenings::take_leaving()
+std::vector<std::pair<int, int>> TMSPHOpenings::leaving()
 {
-  std::vector<Leaving> leaving;
+  std::vector<std::pair<int, int>> all;
   for (const int i : open)
     for (int m = values.count(i) - 1; m >= 0; m--)
       if (bond(i, m).leaves != 0.0) {
         const OpenBond &b = bond(i, m);
-        leaving.push_back({i, values.place(i, m), b});
+        all.emplace_back(i, values.place(i, m));
         done[DISSIPATED] += 0.5 * b.area *
             std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
         done[AREA] += 0.5 * b.area;
-        values.erase(i, values.place(i, m));
       }
-  if (!leaving.empty()) list_open();
-  return leaving;
+  return all;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -364,7 +379,7 @@ std::vector<TMSPHOpenings::Leaving> TMSPHOpenings::take_leaving()
   template void TMSPHOpenings::add_residual<D>(int, int, double *) const;                        \
   template void TMSPHOpenings::begin<D>(int, int, int, const double *, double, double);          \
   template void TMSPHOpenings::complete<D>(const TMSPHBondState &);                              \
-  template void TMSPHOpenings::update<D>(TMSPHBondState, const std::vector<char> &);
+  template void TMSPHOpenings::update<D>(TMSPHBondState);
 
 INSTANTIATE(2)
 INSTANTIATE(3)

@@ -30,6 +30,9 @@ class TMSPHParticipants {
   TMSPHBreakTest *break_test = nullptr;
   TMSPHSurfaceContact *contact = nullptr;
 
+  /// nullptr where all bonds break at once
+  class TMSPHOpenings *openings() const { return break_test ? break_test->openings() : nullptr; }
+
   /// before the fixes are initialized
   void forget_participants()
   {

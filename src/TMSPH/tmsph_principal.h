@@ -31,6 +31,9 @@ struct Invariants {
   double mean, deviation2;
 };
 
+/// (S1 - mean)/sqrt(deviation2) is at most that: 1 in the plane, in 3-D where S2 = S3
+const double REACH_3D = 2.0 / std::sqrt(3.0);
+
 /// for a bound that must hold in spite of round-off
 constexpr double BELOW_ROUNDING = 1.0 - 1.0e-12;
 

@@ -24,6 +24,11 @@ struct TMSPHSurfaceContact {
   /// doubles that it sends per ghost and step where surfaces may touch
   virtual int doubles_per_ghost() const = 0;
 
+  /// bond k of local particle i is about to go, open: its faces begin without force
+  virtual void opened(int i, int k) = 0;
+  /// pairs that touched in the last force evaluation, on all processors (collective)
+  virtual double touching_pairs() = 0;
+
   /** Two particles that pressed on each other in the last force evaluation. */
   struct Touch {
     int i, j;          ///< a local particle, and a local or ghost one
