@@ -12,6 +12,7 @@
 #include "pair_tmsph.h"
 #include "tmsph_criterion.h"
 #include "tmsph_debris.h"
+#include "tmsph_faces.h"
 #include "tmsph_ghost_rows.h"
 #include "tmsph_openings.h"
 #include "tmsph_report.h"
@@ -20,7 +21,10 @@
 
 namespace LAMMPS_NS {
 
-class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
+class FixTMSPHBreak : public Fix,
+                      public TMSPHBreakTest,
+                      public TMSPHOpensBonds,
+                      public TMSPHReporter {
  public:
   FixTMSPHBreak(class LAMMPS *, int, char **, std::unique_ptr<TMSPH::Criterion>);
   /// the one of this simulation, or nullptr
@@ -50,8 +54,7 @@ class FixTMSPHBreak : public Fix, public TMSPHBreakTest, public TMSPHReporter {
     double largest = 0.0;    // load factor of a bond
     bigint broken = 0;
   };
-  /// true if bonds of a type open
-  bool softens() const;
+  bool softens() const override;
   /// a step of the thermal clock begins
   void begin_step() { broken_now = 0; }
   /** Bonds are tested in the next force evaluation. Those break whose load factor is at least 1

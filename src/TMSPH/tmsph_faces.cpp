@@ -4,8 +4,11 @@
 
 #include "tmsph_faces.h"
 
-#include "fix_tmsph_break.h"
+#include "fix.h"
 #include "modify.h"
+
+#include <algorithm>
+#include <string>
 
 using namespace LAMMPS_NS;
 
@@ -13,8 +16,11 @@ using namespace LAMMPS_NS;
 
 bool TMSPHFaces::possible(LAMMPS *lmp)
 {
-  const FixTMSPHBreak *const breaking = FixTMSPHBreak::find(lmp);
-  return breaking && breaking->softens();
+  const auto &fixes = lmp->modify->get_fix_list();
+  return std::any_of(fixes.begin(), fixes.end(), [](const Fix *fix) {
+    const auto breaking = dynamic_cast<const TMSPHOpensBonds *>(fix);
+    return breaking && breaking->softens();
+  });
 }
 
 /* ---------------------------------------------------------------------- */

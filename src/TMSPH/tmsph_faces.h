@@ -11,6 +11,15 @@ namespace LAMMPS_NS {
 
 class LAMMPS;
 
+/** What a fix that breaks bonds says. */
+struct TMSPHOpensBonds {
+  /// true if bonds of a type open before they are gone
+  virtual bool softens() const = 0;
+
+ protected:
+  ~TMSPHOpensBonds() = default;    // owned as a fix, never through this interface
+};
+
 namespace TMSPHFaces {
   /// id of the fix tmsph/contact that provide() defines
   constexpr const char *ID = "TMSPH_FACES";
