@@ -232,7 +232,10 @@ inline double contact_force(const ContactLaw &law, const ContactPair &pair,
       hold_along<D - 1>(ratio * s.stiffness, ratio * q, limit, s.slip);
   heat += friction.work;
   for (int a = 0; a < D; a++) force[a] = normal * s.normal[a];
-  const double energy = held_energy<D - 1>(s.stiffness, ratio * s.stiffness, normal, friction.force);
+  // the stiffness of the paper's law is no spring's
+  const double energy = law.throws_back
+      ? 0.0
+      : held_energy<D - 1>(s.stiffness, ratio * s.stiffness, normal, friction.force);
   for (int k = 0; k < D - 1; k++) {
     const double along = friction.force[k] + energy * s.fading[k];
     for (int a = 0; a < D; a++) force[a] -= along * s.tangent[k][a];
