@@ -296,7 +296,8 @@ def broken(bench):
                 # but for the first heat step, while the bonds held
                 frames = run.run.dumps["watch"]
                 still = np.abs(frames[-1]["c_watch[7]"] - frames[1]["c_watch[7]"]).max()
-                good &= still == 0.0
+                # a stage weighs temperatures that are the same, and rounds: 50 steps, some 40 stages
+                good &= still < 50 * 40 * np.finfo(float).eps
         texts.append(what)
     return Found("all bonds gone, " + ", ".join(texts), "not reached", good)
 
