@@ -1,6 +1,6 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """The test of Kalthoff and Winkler, examples/kalthoff: one crack grows 62 to 75 degrees off the notch on any
-lattice (experiment: 65 to 75, Kalthoff, Int. J. Fract. 101 (2000) 27), to within 6 degrees of each other, with
+lattice (experiment: 65 to 75, Kalthoff, Int. J. Fract. 101 (2000)), to within 6 degrees of each other, with
 faces that slide without friction. At the strength of the steel it starts at 20 to 28 microseconds (experiment: 24
 to 25)."""
 
