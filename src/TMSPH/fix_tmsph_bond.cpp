@@ -37,8 +37,7 @@ static constexpr double AT_HORIZON = 1.0 - 2.0e-9;    // of the square
 
 FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), TMSPHReferenceGeometry(lmp), census(lmp, *this, this),
-    lag(particle_values("velocity lag", 6)), list(nullptr), bonds_formed(false), laid_out(false),
-    faced(false), version(0), forgotten(0)
+    lag(particle_values("velocity lag", 6)), list(nullptr), bonds_formed(false), faced(false)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
     error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
@@ -176,6 +175,22 @@ void FixTMSPHBond::check_formation() const
 }
 
 /* ----------------------------------------------------------------------
+   the list is not used again: its pages go back, before more is allocated
+------------------------------------------------------------------------- */
+
+static void release_pages(NeighList *list, int nthreads, const Neighbor &neighbor)
+{
+  if (!list->copy && list->ipage) {
+    list->inum = list->gnum = 0;
+    for (int t = 0; t < nthreads; t++)
+      list->ipage[t].init(neighbor.oneatom, neighbor.pgsize);
+  }
+#if defined(__GLIBC__)
+  malloc_trim(0);    // glibc would keep the pages for itself, in pieces that nothing fits into
+#endif
+}
+
+/* ----------------------------------------------------------------------
    the present positions become the reference; all pairs of bonded types
    within the horizon become bonds, sorted by the partner's id
 ------------------------------------------------------------------------- */
@@ -208,7 +223,8 @@ void FixTMSPHBond::form()
     set_family(i, atom->tag[i], find_members(i));
     atom->damage[i] = 0.0;
   }
-  release_list();
+  release_pages(list, comm->nthreads, *neighbor);
+  list = nullptr;
   bonds_formed = true;
   check_families();
 }
@@ -241,23 +257,6 @@ std::vector<std::pair<tagint, TMSPHFamilies::State>> FixTMSPHBond::find_members(
   std::sort(members.begin(), members.end());
   members.erase(std::unique(members.begin(), members.end()), members.end());
   return members;
-}
-
-/* ----------------------------------------------------------------------
-   the list is not used again: its pages go back, before more is allocated
-------------------------------------------------------------------------- */
-
-void FixTMSPHBond::release_list()
-{
-  if (!list->copy && list->ipage) {
-    list->inum = list->gnum = 0;
-    for (int t = 0; t < comm->nthreads; t++)
-      list->ipage[t].init(neighbor->oneatom, neighbor->pgsize);
-  }
-#if defined(__GLIBC__)
-  malloc_trim(0);    // glibc would keep the pages for itself, in pieces that nothing fits into
-#endif
-  list = nullptr;
 }
 
 /* ----------------------------------------------------------------------
@@ -355,10 +354,7 @@ void FixTMSPHBond::lay_out()
       }
     }
   }
-  forgotten = removals();
-  removed.clear();
-  laid_out = true;
-  version++;
+  lays_out();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -385,19 +381,10 @@ void FixTMSPHBond::remove_bond(int i, int k, State why)
 {
   set_state(i, k, why);
   drop_carried(i, k);
-  removed.push_back(i);
+  loses(i);
   const size_t at = slices.at(i, k);
   slices.weight[at] = 0.0f;
   if (!slices.averaging.empty()) slices.averaging[at] = 0.0f;
-}
-
-/* ---------------------------------------------------------------------- */
-
-bool FixTMSPHBond::removed_anywhere(int since) const
-{
-  int mine = removals() != since, any;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  return any;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -475,7 +462,7 @@ void FixTMSPHBond::refuse_changed_images(int i, tagint partner) const
 
 void FixTMSPHBond::need_layout(const std::string &who) const
 {
-  int mine = !laid_out || !all_placed();
+  int mine = !all_in_place() || !all_placed();
   int any;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
   if (any)

@@ -17,6 +17,7 @@ FixStyle(tmsph/bond,FixTMSPHBond);
 #define LMP_FIX_TMSPH_BOND_H
 
 #include "fix.h"
+#include "tmsph_bond_history.h"
 #include "tmsph_bond_user.h"
 #include "tmsph_census.h"
 #include "tmsph_families.h"
@@ -30,7 +31,10 @@ namespace LAMMPS_NS {
 
 class TMSPHFamilyRange;
 
-class FixTMSPHBond : public Fix, public TMSPHFamilies, public TMSPHReferenceGeometry {
+class FixTMSPHBond : public Fix,
+                     public TMSPHFamilies,
+                     public TMSPHReferenceGeometry,
+                     public TMSPHBondHistory {
  public:
   static constexpr const char *ID = "TMSPH_BOND";
 
@@ -68,8 +72,8 @@ class FixTMSPHBond : public Fix, public TMSPHFamilies, public TMSPHReferenceGeom
   void need_layout(const std::string &who) const;
   /// true if pairs of types without bonds are in the families too
   bool formed_with_contact() const { return faced; }
-  /// for (const auto &bond : family(i, WHOLE)): partners at hand in one of these states, by ascending
-  /// ids
+  /// for (const auto &bond : family(i, WHOLE)): partners at hand in one of these states, by
+  /// ascending ids
   TMSPHFamilyRange family(int i, unsigned states) const;
   /// local or ghost index of partner k of local particle i; i itself where it is not at hand
   int partner_index(int i, int k) const
@@ -81,24 +85,12 @@ class FixTMSPHBond : public Fix, public TMSPHFamilies, public TMSPHReferenceGeom
   void remove_bond(int i, int k, State why);
   /// velocity that the viscosity of a setup takes for local particle i, see lag below
   const double *setup_velocity(int i) const;
-  /// bonds were removed outside a force evaluation: shape matrices must follow
-  void changed() { version++; }
   /// sets atom->damage of local particle i from its broken bonds
   void update_damage(int i);
   /// number of bonds (each counted once) in a state, on all processors
   bigint count_bonds(State which) const;
   /// fewest and most bonds of a particle, on all processors
   std::pair<int, int> family_sizes() const;
-  int layout_version() const { return version; }
-  /// grows whenever a bond of a local particle is removed
-  int removals() const { return forgotten + (int) removed.size(); }
-  /// calls use(i) for each end that was removed since there were so many, in the present layout
-  template <class Use> void each_removal(int since, Use use) const
-  {
-    for (size_t n = std::max(0, since - forgotten); n < removed.size(); n++) use(removed[n]);
-  }
-  /// true if a bond was removed on any processor since this one had so many (collective)
-  bool removed_anywhere(int since) const;
   const TMSPH::Slices &layout() const { return slices; }
   TMSPH::Slices &layout() { return slices; }
   /// square of the distance from local particle i to the nearest partner in the reference state; 0
@@ -113,17 +105,12 @@ class FixTMSPHBond : public Fix, public TMSPHFamilies, public TMSPHReferenceGeom
   TMSPHParticleValues &lag;     // carried with viscosity, from the end of a run to the next setup
   class NeighList *list;
   bool bonds_formed;
-  bool laid_out;                // no particle has changed its place in the arrays since
   bool faced;                   // with pairs of types that may touch, see touching()
-  int version;
-  int forgotten;                // removals before the present layout
-  std::vector<int> removed;     // local particle of each since
   TMSPH::Slices slices;
 
   void form();
   void check_formation() const;
   std::vector<std::pair<tagint, State>> find_members(int) const;
-  void release_list();
   void refuse_bonds_without() const;
   void send_references();
   void lay_out();
@@ -189,31 +176,6 @@ inline TMSPHFamilyRange FixTMSPHBond::family(int i, unsigned states) const
 {
   return {this, i, states};
 }
-
-/** What somebody has seen of the bonds and keeps something by. */
-class TMSPHBondWatch {
- public:
-  /// particles have changed places or hands since
-  bool laid_out_anew(const FixTMSPHBond &bonds) const { return version != bonds.layout_version(); }
-  /// bonds of this processor are gone, of any processor (collective)
-  bool removed(const FixTMSPHBond &bonds) const { return removals != bonds.removals(); }
-  /// calls use(i) for each end that was removed, in the present layout
-  template <class Use> void each_removal(const FixTMSPHBond &bonds, Use use) const
-  {
-    bonds.each_removal(removals, use);
-  }
-  bool removed_anywhere(const FixTMSPHBond &bonds) const { return bonds.removed_anywhere(removals); }
-  void see(const FixTMSPHBond &bonds)
-  {
-    version = bonds.layout_version();
-    removals = bonds.removals();
-  }
-  /// as if particles had changed places
-  void forget() { version = -1; }
-
- private:
-  int version = -1, removals = 0;
-};
 
 }    // namespace LAMMPS_NS
 

@@ -57,7 +57,7 @@ void FixTMSPHBond::keep_velocities()
 void FixTMSPHBond::copy_arrays(int i, int j, int /*delflag*/)
 {
   copy_row(i, j);
-  laid_out = false;
+  moves();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -65,7 +65,7 @@ void FixTMSPHBond::copy_arrays(int i, int j, int /*delflag*/)
 void FixTMSPHBond::set_arrays(int i)
 {
   clear_row(i);
-  laid_out = false;
+  moves();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -79,7 +79,7 @@ int FixTMSPHBond::pack_exchange(int i, double *buf)
 
 int FixTMSPHBond::unpack_exchange(int nlocal, double *buf)
 {
-  laid_out = false;
+  moves();
   return unpack_row(nlocal, buf, atom->nmax);
 }
 

@@ -87,7 +87,7 @@ void FixTMSPHContact::follow(bool after_breaks)
   const FixTMSPHBond &bonds = *scene.bonds;
   const bool anew = watch.laid_out_anew(bonds);    // the same on all processors
   if (!anew && !(after_breaks && scene.self && scene.pair->bonds_may_break() &&
-                 watch.removed_anywhere(bonds)))
+                 watch.removed_anywhere(bonds, world)))
     return;
   std::vector<TMSPHContactList::Pairing> before;    // their particles are still where they were
   std::vector<int> touched;

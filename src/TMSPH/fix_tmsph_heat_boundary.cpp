@@ -338,7 +338,7 @@ void FixTMSPHHeatBoundary::find_surface()
   const int nlocal = atom->nlocal;
   const FixTMSPHBond &bonds = heat->body().owner_of_bonds();
   if (!cracks && found) return;
-  if (found && !watch.removed_anywhere(bonds)) return;
+  if (found && !watch.removed_anywhere(bonds, world)) return;
   if (!found) {    // a restart or an earlier run has it
     double mine = 0.0, all;
     for (int i = 0; i < nlocal; i++) mine += store->astore[i][AREA];
