@@ -124,9 +124,11 @@ std::vector<TMSPHWord> ComputeTMSPHPropertyAtom::fields()
         if (row >= d || col >= d) return identity;
         return identity + gradient[(size_t) i * d * d + row * d + col];
       });
-  add("strength", ROCK, [this](int i) { return breaking->strength(i); });
+  add("strength", ROCK, [this](int i) { return breaking->rocks().strength(i); });
   add("load", STRESS | ROCK,
-      [this](int i) { return breaking->load_factor(i, &full_stress[6 * (size_t) i]); });
+      [this](int i) {
+        return breaking->rocks().load_factor_of_all(i, &full_stress[6 * (size_t) i]);
+      });
   return words;
 }
 

@@ -132,19 +132,7 @@ template <int D> void TMSPHOpenings::correct(const TMSPHBondState &s)
       for (int b = a + 1; b < D; b++) stress[k++] = sigma(a, b);
     }
   }
-  book(sum);
-}
-
-/* ----------------------------------------------------------------------
-   at fixed positions no update raises the energy of fits and openings together
-------------------------------------------------------------------------- */
-
-void TMSPHOpenings::book(double energy_of_fits)
-{
-  if (updated) done[GAINED] += std::max(0.0, energy_of_fits - fits_energy + rise);
-  fits_energy = energy_of_fits;
-  rise = 0.0;
-  updated = false;
+  account.book(sum);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -226,20 +214,21 @@ void TMSPHOpenings::add_forces(const TMSPHBondState &s, double *f, int stride, d
 
 /* ---------------------------------------------------------------------- */
 
-TMSPHOpenings::Balance TMSPHOpenings::balance() const
+TMSPHOpeningBalance::Figures TMSPHOpenings::figures() const
 {
-  Balance sum = done;
+  using B = TMSPHOpeningBalance;
+  B::Figures sum = account.finished();
   for (const int i : open)
     for (int m = 0; m < values.count(i); m++) {
       const OpenBond &b = bond(i, m);
       std::visit(
           [&](auto one) {
-            sum[DISSIPATED] += 0.5 * b.area * dissipated_energy(one, b.opening);
-            sum[STORED] += 0.5 * b.area * stored_energy(one, b.opening);
+            sum[B::DISSIPATED] += 0.5 * b.area * dissipated_energy(one, b.opening);
+            sum[B::STORED] += 0.5 * b.area * stored_energy(one, b.opening);
           },
           law);
-      sum[AREA] += 0.5 * b.area * std::min(1.0, b.opening.most / b.opening.end);
-      sum[OPENING] += 0.5;
+      sum[B::AREA] += 0.5 * b.area * std::min(1.0, b.opening.most / b.opening.end);
+      sum[B::OPENING] += 0.5;
     }
   return sum;
 }

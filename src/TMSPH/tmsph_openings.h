@@ -19,8 +19,8 @@
 #include "pointers.h"
 #include "tmsph_ghost_rows.h"
 #include "tmsph_open_bond.h"
+#include "tmsph_opening_balance.h"
 
-#include <array>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -91,15 +91,9 @@ class TMSPHOpenings : protected Pointers {
   int most_sent() const;
   double bytes() const;
 
-  /// of this processor, half of each bond at each end: energies that openings took, that they hold,
-  /// that updates gained (0 in theory) and that is lost with bonds that left the fit; area, that of
-  /// unfinished ones by their opening; number of opening bonds
-  enum { DISSIPATED, STORED, GAINED, LOST, AREA, OPENING, FIGURES };
-  using Balance = std::array<double, FIGURES>;
-  Balance balance() const;
-  /// what is finished, for restart files
-  Balance finished() const { return done; }
-  void resume(const Balance &before) { done = before; }
+  /// of this processor, with the bonds that are opening
+  TMSPHOpeningBalance::Figures figures() const;
+  TMSPHOpeningBalance &balance() { return account; }
 
  private:
   FixTMSPHBond &bonds;
@@ -115,10 +109,7 @@ class TMSPHOpenings : protected Pointers {
   int near_column = 0, candidate_column = 0;
   const double *kinematic = nullptr; // of the last exchange(),
   bool heated = false;               // where it has thermal bonds
-  Balance done{};                    // of finished openings
-  double fits_energy = 0.0;          // of all fits here when they were evaluated last
-  double rise = 0.0;                 // of what openings hold and took in an update since then
-  bool updated = false;              // there was one
+  TMSPHOpeningBalance account;
   TMSPH::CohesiveLaw law;
 
   TMSPH::OpenBond &bond(int i, int n)
@@ -137,7 +128,6 @@ class TMSPHOpenings : protected Pointers {
   template <int D> void fill_open_rows();
   template <int D> double update_once(bool decides);
   void decide_leaving(int i, int j, TMSPH::OpenBond &);
-  void book(double energy_of_fits);
   template <int D>
   void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);
 };

@@ -41,7 +41,8 @@ constexpr double FULLY = 0.999;
 
 constexpr double SMALLEST_COSINE = 1.0e-6;
 
-// the area of a bond is at least and at most so many times that in the interior, where K = V kappa I
+// the area of a bond is at least and at most so many times that in the interior, where
+// K = V kappa I
 
 constexpr double SMALLEST_AREA = 0.2, LARGEST_AREA = 5.0;
 
@@ -327,15 +328,15 @@ template <int D> double TMSPHOpenings::update_once(bool decides)
             const auto total = [&] {
               return stored_energy(one, b.opening) + dissipated_energy(one, b.opening);
             };
-            rise -= 0.5 * b.area * total();
+            account.rise_by(-0.5 * b.area * total());
             TMSPH::update(one, b.opening, pull / b.area, stiffness);
-            rise += 0.5 * b.area * total();
+            account.rise_by(0.5 * b.area * total());
           },
           law);
       largest = std::max(largest, stiffness * std::fabs(b.opening.now - c) / b.opening.strength);
       if (decides) decide_leaving(i, j, b);
     }
-  updated = true;
+  account.end_update();
   return largest;
 }
 
@@ -350,7 +351,7 @@ void TMSPHOpenings::decide_leaving(int i, int j, OpenBond &b)
   if (ubuf(mine[0]).i != (bigint) atom->tag[j] || ubuf(his[0]).i != (bigint) atom->tag[i]) return;
   if (mine[1] + his[1] <= 0.0) {
     b.leaves = 1.0;
-    done[LOST] -= mine[1];
+    account.leave(mine[1]);
   } else
     b.patience = PATIENCE;
 }
@@ -365,9 +366,9 @@ std::vector<std::pair<int, int>> TMSPHOpenings::leaving()
       if (bond(i, m).leaves != 0.0) {
         const OpenBond &b = bond(i, m);
         all.emplace_back(i, values.place(i, m));
-        done[DISSIPATED] += 0.5 * b.area *
+        const double taken =
             std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
-        done[AREA] += 0.5 * b.area;
+        account.finish(0.5 * b.area * taken, 0.5 * b.area);
       }
   return all;
 }

@@ -223,7 +223,7 @@ void TMSPHQuasistatic::prepare()
 {
   double strength = HUGE_VAL;
   if (rock)
-    strength = rock->tensile_strength();
+    strength = rock->rocks().tensile_strength();
   else
     for (int type = 1; type <= atom->ntypes; type++)
       strength = std::min(strength, STRENGTH * pair->material(type).young);

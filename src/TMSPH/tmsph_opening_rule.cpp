@@ -1,16 +1,16 @@
 /* ----------------------------------------------------------------------
    TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-
-   Bonds that open instead of breaking at once: which, when they begin, when they are gone.
 ------------------------------------------------------------------------- */
 
-#include "fix_tmsph_break.h"
+#include "tmsph_opening_rule.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_tmsph_bond.h"
+#include "pair_tmsph.h"
+#include "tmsph_rocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,38 +44,26 @@ static constexpr double NO_TENSION = 0.05;
    constants of the types whose bonds open
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBreak::init_openings()
+void TMSPHOpeningRule::init(PairTMSPH &style, TMSPHGhostSender &ghosts)
 {
+  pair = &style;
+  bonds = pair->bonds();
   bool any = false;
   for (int type = 1; type <= atom->ntypes; type++) {
-    Rock &rock = rocks[type];
-    rock.tensile = tensile_strength(type) / rock.strength;
-    if (crack_energy(type) == 0.0) continue;
+    if (rocks.crack_energy(type) == 0.0) continue;
     any = true;
     pair->raise_hourglass(type, HOURGLASS_OF_OPENINGS);
   }
   if (!any) opening.reset();
   else if (!opening) {
     opening = std::make_unique<TMSPHOpenings>(lmp, *bonds, ghosts);
-    if (comm->me == 0) opening->resume(before);
+    if (comm->me == 0) opening->balance().resume(before);
   }
-  comm_forward = std::max(1, opening ? opening->most_sent() : 0);
 }
 
 /* ---------------------------------------------------------------------- */
 
-bool FixTMSPHBreak::softens() const
-{
-  for (int type = 1; type <= atom->ntypes; type++)
-    if (opens_type(type)) return true;
-  return false;
-}
-
-/* ----------------------------------------------------------------------
-   limits of the method, when spacings are known: an error beyond them
-------------------------------------------------------------------------- */
-
-void FixTMSPHBreak::check_openings() const
+void TMSPHOpeningRule::check(const std::string &style) const
 {
   if (!opening) return;
   if (!std::holds_alternative<TMSPH::WendlandC2>(pair->kernel_of_bonds()))
@@ -83,7 +71,7 @@ void FixTMSPHBreak::check_openings() const
                       "pair_style tmsph only: use that, or do without them",
                style);
   for (int type = 1; type <= atom->ntypes; type++) {
-    if (!opens_type(type)) continue;
+    if (!rocks.opens(type)) continue;
     const double spacing = pair->spacing_of(type);
     if (spacing == 0.0) continue;
     const double reach = pair->horizon(type, type) / spacing;
@@ -91,7 +79,7 @@ void FixTMSPHBreak::check_openings() const
       error->all(FLERR, "Words energy and toughness of fix {} are calibrated for horizons of {} to "
                         "{} spacings, not of {:.3g} as of type {}: use one of 3.015",
                  style, SHORTEST, LONGEST, reach, type);
-    const double length = characteristic_length(type), ratio = spacing / length;
+    const double length = rocks.characteristic_length(type), ratio = spacing / length;
     if (ratio > TOO_COARSE)
       error->all(FLERR, "Spacing {:.4g} of type {} is {:.3g} of the characteristic length of its "
                         "cracks, {:.4g}, of which it may be {} at most: use a spacing of {:.3g} or "
@@ -117,36 +105,9 @@ void FixTMSPHBreak::check_openings() const
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHBreak::characteristic_length(int type) const
+bool TMSPHOpeningRule::opens(int i, int j) const
 {
-  const double tensile = tensile_strength(type);
-  return pair->material(type).young * crack_energy(type) / (tensile * tensile);
-}
-
-/* ----------------------------------------------------------------------
-   K^2 = E G in plane stress, E/(1 - nu^2) G else
-------------------------------------------------------------------------- */
-
-double FixTMSPHBreak::crack_energy(int type) const
-{
-  const Rock &rock = rocks[type];
-  if (rock.toughness == 0.0) return rock.energy;
-  return rock.toughness * rock.toughness / crack_modulus(type);
-}
-
-double FixTMSPHBreak::crack_modulus(int type) const
-{
-  const auto &m = pair->material(type).elastic;
-  const bool plane_stress =
-      domain->dimension == 2 && pair->words().plane == TMSPH::Plane::STRESS;
-  return plane_stress ? m.young : TMSPH::plane_modulus(m);
-}
-
-/* ---------------------------------------------------------------------- */
-
-bool FixTMSPHBreak::opens(int i, int j) const
-{
-  return opening && opens_type(atom->type[i]) && opens_type(atom->type[j]);
+  return opening && rocks.opens(atom->type[i]) && rocks.opens(atom->type[j]);
 }
 
 /* ----------------------------------------------------------------------
@@ -155,8 +116,9 @@ bool FixTMSPHBreak::opens(int i, int j) const
    ghosts get no rows.
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBreak::follow_openings(const double *stress)
+void TMSPHOpeningRule::follow(const double *stress)
 {
+  if (!opening) return;
   const int nlocal = atom->nlocal, size = TMSPH::stress_row(domain->dimension);
   const bool two = domain->dimension == 2;
   if (damage_watch.laid_out_anew(*bonds) || damage_watch.removed(*bonds)) {
@@ -189,46 +151,40 @@ void FixTMSPHBreak::follow_openings(const double *stress)
    false only if no principal stress reaches the tensile strength
 ------------------------------------------------------------------------- */
 
-bool FixTMSPHBreak::may_open(int i, const double *stress) const
+bool TMSPHOpeningRule::may_open(int i, const double *row) const
 {
   const bool two = domain->dimension == 2;
-  const TMSPH::Invariants v = two ? TMSPH::invariants_2d(stress) : TMSPH::invariants_3d(stress);
+  const TMSPH::Invariants v = two ? TMSPH::invariants_2d(row) : TMSPH::invariants_3d(row);
   const double reach = two ? 1.0 : TMSPH::REACH_3D;
   return !(v.mean + reach * std::sqrt(v.deviation2) <
-           tensile_strength_of(i) * TMSPH::BELOW_ROUNDING);
-}
-
-/* ----------------------------------------------------------------------
-   A bond that is not looked at: what fails in it is tension, which it takes by opening when it
-   comes near what opens.
-------------------------------------------------------------------------- */
-
-bool FixTMSPHBreak::pulled(const Due &bond) const
-{
-  return bond.principals.largest > NO_TENSION * bond_strength(bond);
+           rocks.tensile_strength_of(i) * TMSPH::BELOW_ROUNDING);
 }
 
 /* ---------------------------------------------------------------------- */
 
-double FixTMSPHBreak::bond_strength(const Due &bond) const
+bool TMSPHOpeningRule::pulled(int i, int j, const TMSPH::Principals &p) const
 {
-  const int j = bonds->partner_index(bond.i, bond.k);
-  return 0.5 * (tensile_strength_of(bond.i) + tensile_strength_of(j));
+  return p.largest > NO_TENSION * bond_strength(i, j);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHOpeningRule::bond_strength(int i, int j) const
+{
+  return 0.5 * (rocks.tensile_strength_of(i) + rocks.tensile_strength_of(j));
 }
 
 /* ----------------------------------------------------------------------
    Rankine with the residual of the fits, see tmsph_openings.h
-   @return false if the bond fails without tension: it breaks at once
 ------------------------------------------------------------------------- */
 
-bool FixTMSPHBreak::begin_opening(Due &bond)
+bool TMSPHOpeningRule::open(int i, int k, int j, const double *mean)
 {
-  const int i = bond.i, j = bonds->partner_index(i, bond.k);
-  const double strength = bond_strength(bond);
-  if (opening->opens_bond(i, bond.k)) return true;
+  const double strength = bond_strength(i, j);
+  if (opening->opens_bond(i, k)) return true;
   const bool two = domain->dimension == 2;
   double stress[6];
-  std::copy_n(bond.stress, 6, stress);
+  std::copy_n(mean, 6, stress);
   if (two)
     opening->add_residual<2>(i, j, stress);
   else
@@ -236,12 +192,12 @@ bool FixTMSPHBreak::begin_opening(Due &bond)
   const double pull =
       two ? TMSPH::principals_2d(stress).largest : TMSPH::principals_3d(stress).largest;
   if (pull >= strength) {
-    const double energy =
-        0.5 * (crack_energy(atom->type[i]) + crack_energy(atom->type[j])) / CALIBRATION;
+    const double energy = 0.5 *
+        (rocks.crack_energy(atom->type[i]) + rocks.crack_energy(atom->type[j])) / CALIBRATION;
     if (two)
-      opening->begin<2>(i, bond.k, j, stress, strength, energy);
+      opening->begin<2>(i, k, j, stress, strength, energy);
     else
-      opening->begin<3>(i, bond.k, j, stress, strength, energy);
+      opening->begin<3>(i, k, j, stress, strength, energy);
     began = true;
     return true;
   }
@@ -250,8 +206,9 @@ bool FixTMSPHBreak::begin_opening(Due &bond)
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHBreak::complete_openings()
+void TMSPHOpeningRule::complete()
 {
+  if (!opening || !looking) return;
   int mine = began, any;
   began = false;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
@@ -265,16 +222,19 @@ void FixTMSPHBreak::complete_openings()
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHBreak::remove_opened(std::vector<int> &touched)
+TMSPHOpeningBalance::Figures TMSPHOpeningRule::figures() const
 {
-  for (const auto &[i, k] : opening->leaving()) {
-    Due due = {i, k, 0.0, {}, {1.0, 0.0, 0.0}};
-    if (atom->tag[i] < bonds->partner_tag(i, k)) record(due);
-    pair->contact_of_surfaces()->opened(i, k);
-    bonds->remove_bond(i, k, FixTMSPHBond::BROKEN);
-    if (touched.empty() || touched.back() != i) touched.push_back(i);
-  }
-  opening->list_open();
-  if (events.size() > event_rows.size()) list_events();
+  return opening ? opening->figures() : TMSPHOpeningBalance::Figures();
 }
 
+TMSPHOpeningBalance::Figures TMSPHOpeningRule::finished() const
+{
+  return opening ? opening->balance().finished() : TMSPHOpeningBalance::Figures();
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHOpeningRule::bytes() const
+{
+  return damaged.capacity() + watched.capacity() + (opening ? opening->bytes() : 0.0);
+}

@@ -1,0 +1,75 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+
+   Bonds that open instead of breaking at once: which, and when they begin. How
+   they go on is in tmsph_openings.h.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_TMSPH_OPENING_RULE_H
+#define LMP_TMSPH_OPENING_RULE_H
+
+#include "pointers.h"
+#include "tmsph_openings.h"
+#include "tmsph_principal.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PairTMSPH;
+class TMSPHRocks;
+
+class TMSPHOpeningRule : protected Pointers {
+ public:
+  TMSPHOpeningRule(class LAMMPS *lmp, const TMSPHRocks &rocks) : Pointers(lmp), rocks(rocks) {}
+  /// in the init of a fix, which sends, after that of the rocks
+  void init(PairTMSPH &, TMSPHGhostSender &);
+  /** Limits of the method, when spacings are known: an error beyond them.
+      @param style of the fix, to be named */
+  void check(const std::string &style) const;
+  /// nullptr where all bonds break at once
+  TMSPHOpenings *openings() const { return opening.get(); }
+  /// doubles per particle that are sent at most
+  int most_sent() const { return opening ? opening->most_sent() : 0; }
+
+  // in a test of bonds, with the rows of stress of local particles
+
+  /// openings follow, and bonds to look at are found (collective)
+  void follow(const double *stress);
+  bool opens(int i, int j) const;
+  /// bonds at local or ghost particle i are looked at
+  bool near(int i) const { return looking && opening->near(i); }
+  /// a bond that is not: what fails in it is tension, which it takes by opening when it comes near
+  /// what opens
+  bool pulled(int i, int j, const TMSPH::Principals &) const;
+  /** Bond k of local particle i, to j, opens if it must.
+      @return false if it fails without tension: it breaks at once */
+  bool open(int i, int k, int j, const double *stress);
+  /// those that began to are known (collective)
+  void complete();
+
+  /// for outputs, and those that are finished for restart files, of this processor
+  TMSPHOpeningBalance::Figures figures() const;
+  TMSPHOpeningBalance::Figures finished() const;
+  void resume(const TMSPHOpeningBalance::Figures &sums) { before = sums; }
+  double bytes() const;
+
+ private:
+  const TMSPHRocks &rocks;
+  PairTMSPH *pair = nullptr;                 // since init
+  FixTMSPHBond *bonds = nullptr;
+  std::unique_ptr<TMSPHOpenings> opening;    // with energy or toughness
+  TMSPHOpeningBalance::Figures before{};     // from a restart file
+  TMSPHBondWatch damage_watch;
+  std::vector<char> damaged, watched;        // of local particles: bonds are gone; looked at
+  bool began = false;                        // here, in this test
+  bool looking = false;                      // at bonds that may open, on some processor
+
+  bool may_open(int i, const double *row) const;
+  double bond_strength(int i, int j) const;
+};
+
+}    // namespace LAMMPS_NS
+#endif

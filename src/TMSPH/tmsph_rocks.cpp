@@ -1,0 +1,233 @@
+/* ----------------------------------------------------------------------
+   TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
+------------------------------------------------------------------------- */
+
+#include "tmsph_rocks.h"
+
+#include "domain.h"
+#include "error.h"
+#include "fix_tmsph_bond.h"
+#include "tmsph_materials.h"
+#include "tmsph_random.h"
+#include "tmsph_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using TMSPH::Principals;
+
+/* ---------------------------------------------------------------------- */
+
+TMSPHRocks::TMSPHRocks(LAMMPS *lmp, std::unique_ptr<TMSPH::Criterion> criterion) :
+    Pointers(lmp), law(std::move(criterion)), rocks(atom->ntypes + 1)
+{
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHRocks::read(const std::string &style, char **next, char **last)
+{
+  const auto &constants = law->words();
+  std::vector<std::vector<double>> values(atom->ntypes + 1);
+  for (auto &one : values)
+    for (const auto &constant : constants) one.push_back(constant.standard);
+  std::vector<TMSPHWord> words;
+  for (size_t k = 0; k < constants.size(); k++)
+    words.push_back({constants[k].name, "I value", [&values, &constants, k](TMSPHValues &v) {
+                       int lo, hi;
+                       v.types(lo, hi);
+                       const double value =
+                           v.number(constants[k].allows,
+                                    fmt::format("is out of range: {}", constants[k].rule));
+                       for (int type = lo; type <= hi; type++) values[type][k] = value;
+                     }});
+  const auto opens_with = [this](double Rock::*given, double Rock::*other) {
+    return [this, given, other](TMSPHValues &v) {
+      int lo, hi;
+      v.types(lo, hi);
+      const double value = v.number(TMSPHRule::positive, "is out of range: it must be positive");
+      for (int type = lo; type <= hi; type++) {
+        rocks[type].*given = value;
+        rocks[type].*other = 0.0;
+      }
+    };
+  };
+  words.push_back({"energy", "I value", opens_with(&Rock::energy, &Rock::toughness)});
+  words.push_back({"toughness", "I value", opens_with(&Rock::toughness, &Rock::energy)});
+  words.push_back({"weibull", "I modulus seed", [this](TMSPHValues &v) { read_weibull(v); }});
+  words.push_back({"principal", "inplane/all", [this](TMSPHValues &v) {
+                     all_principals = v.one_of<bool>({{"inplane", false}, {"all", true}});
+                   }});
+  TMSPHWords(lmp, "fix " + style, std::move(words)).read_all(next, last);
+
+  for (int type = 1; type <= atom->ntypes; type++) {
+    for (size_t k = 0; k < constants.size(); k++)
+      if (values[type][k] == TMSPH::REQUIRED)
+        error->all(FLERR, "Fix {} lacks the {} of type {}: add '{} {} value'", style,
+                   constants[k].name, type, constants[k].name, type);
+    rocks[type].strength = values[type][0];
+    law->add(values[type]);
+    one_rock = one_rock && law->alike(type, 1);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHRocks::read_weibull(TMSPHValues &values)
+{
+  int lo, hi;
+  values.types(lo, hi);
+  // (-ln U)^(1/omega) and its square must be numbers for all U of double precision
+  const double modulus =
+      values.number([](double value) { return value >= 0.1; },
+                    "is out of range: the Weibull modulus must be at least 0.1; 10 is usual");
+  const int seed = values.integer();
+  if (seed <= 0) values.reject(fmt::format("seed {}", seed), "must be a positive integer");
+  for (int type = lo; type <= hi; type++) {
+    rocks[type].modulus = modulus;
+    rocks[type].seed = seed;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHRocks::init(const TMSPHMaterials &present)
+{
+  materials = &present;
+  if (domain->dimension == 3) all_principals = false;    // 3-D has all anyway
+  for (int type = 1; type <= atom->ntypes; type++)
+    rocks[type].tensile = tensile_strength(type) / rocks[type].strength;
+  version = -1;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHRocks::tensile_strength() const
+{
+  double smallest = HUGE_VAL;
+  for (int type = 1; type <= atom->ntypes; type++)
+    smallest = std::min(smallest, tensile_strength(type));
+  return smallest;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHRocks::tensile_strength(int type) const
+{
+  const double strength = rocks[type].strength;
+  const Principals pull = {strength, 0.0, 0.0};
+  return strength / law->load_factor(type, type, pull, strength);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool TMSPHRocks::any_opens() const
+{
+  for (int type = 1; type <= atom->ntypes; type++)
+    if (opens(type)) return true;
+  return false;
+}
+
+/* ----------------------------------------------------------------------
+   K^2 = E G in plane stress, E/(1 - nu^2) G else
+------------------------------------------------------------------------- */
+
+double TMSPHRocks::crack_energy(int type) const
+{
+  const Rock &rock = rocks[type];
+  if (rock.toughness == 0.0) return rock.energy;
+  return rock.toughness * rock.toughness / crack_modulus(type);
+}
+
+double TMSPHRocks::crack_modulus(int type) const
+{
+  const auto &m = materials->material(type).elastic;
+  const bool plane_stress =
+      domain->dimension == 2 && materials->words().plane == TMSPH::Plane::STRESS;
+  return plane_stress ? m.young : TMSPH::plane_modulus(m);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHRocks::characteristic_length(int type) const
+{
+  const double tensile = tensile_strength(type);
+  return materials->material(type).young * crack_energy(type) / (tensile * tensile);
+}
+
+/* ----------------------------------------------------------------------
+   by first ids
+------------------------------------------------------------------------- */
+
+bool TMSPHRocks::follow(const FixTMSPHBond &bonds, TMSPHGhostSender &ghosts)
+{
+  if (version == bonds.layout_version()) return false;
+  version = bonds.layout_version();
+  strengths.resize(atom->nlocal);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const Rock &rock = rocks[atom->type[i]];
+    strengths[i] = rock.modulus > 0.0
+        ? TMSPH::weibull_random(rock.strength, rock.modulus, bonds.first_id(i), rock.seed)
+        : rock.strength;
+  }
+  ghosts.complete(strengths);
+  return true;
+}
+
+/* ---------------------------------------------------------------------- */
+
+Principals TMSPHRocks::principals(const double *row, double zz) const
+{
+  if (domain->dimension == 3) return TMSPH::principals_3d(row);
+  const Principals p = TMSPH::principals_2d(row);
+  if (!all_principals) return p;
+  return {std::max(p.largest, zz), std::max(p.smallest, std::min(p.largest, zz)),
+          std::min(p.smallest, zz)};
+}
+
+/* ---------------------------------------------------------------------- */
+
+Principals TMSPHRocks::principals(int i, const double *row) const
+{
+  return principals(row, all_principals ? materials->stress_zz(i, row[0], row[1]) : 0.0);
+}
+
+/* ---------------------------------------------------------------------- */
+
+Principals TMSPHRocks::principals(int i, int j, const double *row_i, const double *row_j,
+                                  const double *mean) const
+{
+  double zz = 0.0;
+  if (all_principals)
+    zz = 0.5 * (materials->stress_zz(i, row_i[0], row_i[1]) +
+                materials->stress_zz(j, row_j[0], row_j[1]));
+  return principals(mean, zz);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool TMSPHRocks::may_fail(int i, const double *row) const
+{
+  if (all_principals) return true;
+  const bool two = domain->dimension == 2;
+  const TMSPH::Invariants v = two ? TMSPH::invariants_2d(row) : TMSPH::invariants_3d(row);
+  return law->may_fail(atom->type[i], v, two ? 1.0 : TMSPH::REACH_3D, strengths[i]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool TMSPHRocks::fails(int i, const double *row) const
+{
+  const int type = atom->type[i];
+  return may_fail(i, row) && law->fails(type, type, principals(i, row), strengths[i]);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHRocks::load_factor_of_all(int i, const double *stress) const
+{
+  const double plane[3] = {stress[0], stress[1], stress[3]};
+  const bool space = domain->dimension == 3;
+  return load_factor(i, space ? TMSPH::principals_3d(stress) : principals(plane, stress[2]));
+}
