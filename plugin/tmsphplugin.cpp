@@ -67,19 +67,19 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   // the headers name their styles, for LAMMPS's own lists and here
 
 #define PAIR_CLASS
-#define PairStyle(name, Class)                                      \
+#define PairStyle(name, Class)                                       \
   plugin.creator.v1 = (lammpsplugin_factory1 *) &create_pair<Class>; \
   add("pair", #name)
 #define COMMAND_CLASS
-#define CommandStyle(name, Class)                                      \
+#define CommandStyle(name, Class)                                       \
   plugin.creator.v1 = (lammpsplugin_factory1 *) &create_command<Class>; \
   add("command", #name)
 #define FIX_CLASS
-#define FixStyle(name, Class)                                      \
+#define FixStyle(name, Class)                                       \
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_fix<Class>; \
   add("fix", #name)
 #define COMPUTE_CLASS
-#define ComputeStyle(name, Class)                                      \
+#define ComputeStyle(name, Class)                                       \
   plugin.creator.v2 = (lammpsplugin_factory2 *) &create_compute<Class>; \
   add("compute", #name)
 

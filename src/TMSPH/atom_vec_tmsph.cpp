@@ -14,8 +14,7 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 AtomVecTMSPH::AtomVecTMSPH(LAMMPS *lmp) :
-    AtomVec(lmp), rmass(nullptr), vfrac(nullptr), temperature(nullptr), damage(nullptr),
-    x0(nullptr)
+    AtomVec(lmp), rmass(nullptr), vfrac(nullptr), temperature(nullptr), damage(nullptr), x0(nullptr)
 {
   molecular = Atom::ATOMIC;
 

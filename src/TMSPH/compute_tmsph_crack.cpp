@@ -79,8 +79,9 @@ void ComputeTMSPHCrack::compute_vector()
       if (state != FixTMSPHBond::BROKEN) continue;
       broken++;
       for (int c = 0; c < 3; c++)
-        stretched += ((atom->x[j][c] - bonds->reference(j)[c]) -
-                      (atom->x[i][c] - bonds->reference(i)[c])) * X[c] / R;
+        stretched +=
+            ((atom->x[j][c] - bonds->reference(j)[c]) - (atom->x[i][c] - bonds->reference(i)[c])) *
+            X[c] / R;
       sum[3] += 0.5 * std::max(0.0, stretched);
     }
     sum[0] += 0.5 * broken;

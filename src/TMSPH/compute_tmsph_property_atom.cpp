@@ -125,10 +125,9 @@ std::vector<TMSPHWord> ComputeTMSPHPropertyAtom::fields()
         return identity + gradient[(size_t) i * d * d + row * d + col];
       });
   add("strength", ROCK, [this](int i) { return breaking->rocks().strength(i); });
-  add("load", STRESS | ROCK,
-      [this](int i) {
-        return breaking->rocks().load_factor_of_all(i, &full_stress[6 * (size_t) i]);
-      });
+  add("load", STRESS | ROCK, [this](int i) {
+    return breaking->rocks().load_factor_of_all(i, &full_stress[6 * (size_t) i]);
+  });
   return words;
 }
 

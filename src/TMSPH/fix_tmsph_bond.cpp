@@ -40,8 +40,9 @@ FixTMSPHBond::FixTMSPHBond(LAMMPS *lmp, int narg, char **arg) :
     lag(particle_values("velocity lag", 6)), list(nullptr), bonds_formed(false), faced(false)
 {
   if (narg != 3 || strcmp(id, ID) != 0)
-    error->all(FLERR, "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
-                      "this one");
+    error->all(FLERR,
+               "Fix tmsph/bond is internal to pair style tmsph, which makes its own: remove "
+               "this one");
   restart_global = 1;
   restart_peratom = 1;
   create_attribute = 1;
@@ -93,8 +94,7 @@ void FixTMSPHBond::init()
 
   // a neighbor list serves once, to form the families
 
-  if (!bonds_formed)
-    neighbor->add_request(this, NeighConst::REQ_FULL | NeighConst::REQ_OCCASIONAL);
+  if (!bonds_formed) neighbor->add_request(this, NeighConst::REQ_FULL | NeighConst::REQ_OCCASIONAL);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -182,8 +182,7 @@ static void release_pages(NeighList *list, int nthreads, const Neighbor &neighbo
 {
   if (!list->copy && list->ipage) {
     list->inum = list->gnum = 0;
-    for (int t = 0; t < nthreads; t++)
-      list->ipage[t].init(neighbor.oneatom, neighbor.pgsize);
+    for (int t = 0; t < nthreads; t++) list->ipage[t].init(neighbor.oneatom, neighbor.pgsize);
   }
 #if defined(__GLIBC__)
   malloc_trim(0);    // glibc would keep the pages for itself, in pieces that nothing fits into
@@ -362,8 +361,8 @@ void FixTMSPHBond::lay_out()
 void FixTMSPHBond::stop_lost(int i, tagint partner) const
 {
   refuse_changed_images(i, partner);
-  const bool careless = update->whichflag == 2 &&
-      strcmp(update->minimize_style, "tmsph/lbfgs") != 0;
+  const bool careless =
+      update->whichflag == 2 && strcmp(update->minimize_style, "tmsph/lbfgs") != 0;
   if (careless)
     error->one(FLERR,
                "Particle {} lost its bonded partner {} in iteration {} of min_style {}, which "

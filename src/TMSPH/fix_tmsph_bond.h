@@ -31,10 +31,11 @@ namespace LAMMPS_NS {
 
 class TMSPHFamilyRange;
 
-class FixTMSPHBond : public Fix,
-                     public TMSPHFamilies,
-                     public TMSPHReferenceGeometry,
-                     public TMSPHBondHistory {
+class FixTMSPHBond :
+    public Fix,
+    public TMSPHFamilies,
+    public TMSPHReferenceGeometry,
+    public TMSPHBondHistory {
  public:
   static constexpr const char *ID = "TMSPH_BOND";
 
@@ -76,10 +77,7 @@ class FixTMSPHBond : public Fix,
   /// ascending ids
   TMSPHFamilyRange family(int i, unsigned states) const;
   /// local or ghost index of partner k of local particle i; i itself where it is not at hand
-  int partner_index(int i, int k) const
-  {
-    return slices.partner[slices.at(i, k)];
-  }
+  int partner_index(int i, int k) const { return slices.partner[slices.at(i, k)]; }
   /// takes the bond from this end, and what it carries; whoever decides must decide alike at the
   /// other end
   void remove_bond(int i, int k, State why);
@@ -102,10 +100,10 @@ class FixTMSPHBond : public Fix,
   // Velocity Verlet evaluates forces at half-step velocities, but a setup has only those of the
   // full step. For a run to continue bit for bit, viscosity keeps what the last step took, [0..2],
   // and the velocity at its end, [3..5]: as long as that is unchanged, the setup takes the former.
-  TMSPHParticleValues &lag;     // carried with viscosity, from the end of a run to the next setup
+  TMSPHParticleValues &lag;    // carried with viscosity, from the end of a run to the next setup
   class NeighList *list;
   bool bonds_formed;
-  bool faced;                   // with pairs of types that may touch, see touching()
+  bool faced;    // with pairs of types that may touch, see touching()
   TMSPH::Slices slices;
 
   void form();
@@ -158,8 +156,8 @@ class TMSPHFamilyRange {
     {
       const FixTMSPHBond *const bonds = range->bonds;
       const int i = range->i, n = bonds->count(i);
-      while (k < n && (!(range->states >> bonds->bond_state(i, k) & 1u) ||
-                       bonds->partner_index(i, k) == i))
+      while (k < n &&
+             (!(range->states >> bonds->bond_state(i, k) & 1u) || bonds->partner_index(i, k) == i))
         k++;
     }
   };

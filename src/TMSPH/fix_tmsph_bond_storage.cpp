@@ -107,8 +107,13 @@ void FixTMSPHBond::write_restart(FILE *fp)
   update->update_time();    // a run that goes on from the file counts from here: the same round-off
   if (update->whichflag == 1) keep_velocities();    // in a run: those of this step
   if (comm->me) return;
-  std::vector<double> list = {RESTART_FORMAT, (double) bonds_formed, (double) row_length(),
-                              (double) faced, kappa, thickness, horizon};
+  std::vector<double> list = {RESTART_FORMAT,
+                              (double) bonds_formed,
+                              (double) row_length(),
+                              (double) faced,
+                              kappa,
+                              thickness,
+                              horizon};
   for (int k = 0; k < 3; k++) list.insert(list.end(), {period[k], corner[k]});
   for (int t = 1; t <= atom->ntypes; t++) list.push_back(bonds_formed ? type_horizons[t] : 0.0);
   for (const double one : list_carried()) list.push_back(one);

@@ -68,8 +68,10 @@ void FixTMSPHBreak::init()
 
   // an unchanged request keeps its list: LAMMPS does not hand it over again
 
-  if (others) list = nullptr;
-  else neighbor->add_request(this, NeighConst::REQ_FULL);
+  if (others)
+    list = nullptr;
+  else
+    neighbor->add_request(this, NeighConst::REQ_FULL);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -265,8 +267,7 @@ void FixTMSPHBreak::test_next(double fraction)
 
 void FixTMSPHBreak::find_strengths()
 {
-  if (!bonds)
-    error->all(FLERR, "Fix {} {} was not in a run yet: do a 'run 0' first", style, id);
+  if (!bonds) error->all(FLERR, "Fix {} {} was not in a run yet: do a 'run 0' first", style, id);
   follow_layout();
 }
 

@@ -24,10 +24,11 @@
 
 namespace LAMMPS_NS {
 
-class FixTMSPHBreak : public Fix,
-                      public TMSPHBreakTest,
-                      public TMSPHOpensBonds,
-                      public TMSPHReporter {
+class FixTMSPHBreak :
+    public Fix,
+    public TMSPHBreakTest,
+    public TMSPHOpensBonds,
+    public TMSPHReporter {
  public:
   FixTMSPHBreak(class LAMMPS *, int, char **, std::unique_ptr<TMSPH::Criterion>);
   /// the one of this simulation, or nullptr
@@ -78,16 +79,16 @@ class FixTMSPHBreak : public Fix,
 
   PairTMSPH *pair;
   FixTMSPHBond *bonds;
-  class NeighList *list;                 // of all pairs, where contact does not see to them
+  class NeighList *list;    // of all pairs, where contact does not see to them
   TMSPHGhostSender ghosts;
   TMSPHDebris debris;
   TMSPHRocks rock;
   TMSPHOpeningRule opening;
   TMSPHSuspects suspects;
   TMSPHBreakEvents events;
-  bool armed;                            // in a step of a run, not in setup or minimization
-  bool fresh;                            // nothing has been tested yet, in this or an earlier run
-  double relative;                       // in equilibrium, of the largest load factor; else 0
+  bool armed;         // in a step of a run, not in setup or minimization
+  bool fresh;         // nothing has been tested yet, in this or an earlier run
+  double relative;    // in equilibrium, of the largest load factor; else 0
   Test test;
   std::vector<Due> due_bonds;
 

@@ -42,9 +42,10 @@ static constexpr double HOT_START = 0.01;
 
 FixTMSPHBreak::FixTMSPHBreak(LAMMPS *lmp, int narg, char **arg,
                              std::unique_ptr<TMSPH::Criterion> law) :
-    Fix(lmp, narg, arg), pair(nullptr), bonds(nullptr), list(nullptr), ghosts(lmp, this),
-    debris(lmp), rock(lmp, std::move(law)), opening(lmp, rock), events(lmp), armed(false),
-    fresh(true), relative(0.0)
+    Fix(lmp, narg, arg),
+    pair(nullptr), bonds(nullptr), list(nullptr), ghosts(lmp, this), debris(lmp),
+    rock(lmp, std::move(law)), opening(lmp, rock), events(lmp), armed(false), fresh(true),
+    relative(0.0)
 {
   scalar_flag = vector_flag = local_flag = 1;
   size_vector = 11;
@@ -72,22 +73,27 @@ void FixTMSPHBreak::tell()
   opening.check(style);
   const UnitNames unit(update->unit_style);
   const std::string strength = rock.criterion().strength_name();
-  std::vector<std::string> columns = {
-      "type", heading(strength, unit.pressure), heading("tensile", unit.pressure), strength + "/E",
-      heading("crack_energy", unit.area_energy), heading("toughness", unit.toughness)};
+  std::vector<std::string> columns = {"type",
+                                      heading(strength, unit.pressure),
+                                      heading("tensile", unit.pressure),
+                                      strength + "/E",
+                                      heading("crack_energy", unit.area_energy),
+                                      heading("toughness", unit.toughness)};
   if (openings()) columns.emplace_back("spacing/length");
   TextTable table(columns);
   for (int type = 1; type <= atom->ntypes; type++) {
     const double young = pair->material(type).young, tensile = rock.tensile_strength(type);
     const double spacing = pair->spacing_of(type);
     const bool opens = rock.opens(type);
-    const double energy =
-        opens ? rock.crack_energy(type) : CRACK_ENERGY * tensile * tensile * spacing / young;
+    const double energy = opens ? rock.crack_energy(type)
+                                : CRACK_ENERGY * tensile * tensile * spacing / young;
     const double modulus = opens ? rock.crack_modulus(type) : young;
-    std::vector<std::string> row = {
-        std::to_string(type), digits(rock.of(type).strength), digits(tensile),
-        digits(rock.of(type).strength / young), energy > 0.0 ? digits(energy) : "-",
-        energy > 0.0 ? digits(std::sqrt(modulus * energy)) : "-"};
+    std::vector<std::string> row = {std::to_string(type),
+                                    digits(rock.of(type).strength),
+                                    digits(tensile),
+                                    digits(rock.of(type).strength / young),
+                                    energy > 0.0 ? digits(energy) : "-",
+                                    energy > 0.0 ? digits(std::sqrt(modulus * energy)) : "-"};
     if (openings()) row.push_back(opens ? digits(spacing / rock.characteristic_length(type)) : "-");
     table.add(row);
   }
@@ -127,7 +133,8 @@ void FixTMSPHBreak::warn_of_hot_start()
   if (part <= HOT_START || pair->warned()) return;    // that may be the reason
   pair->warn_once(fmt::format(
       "{:.0f} % of the bonds break on the first step, which is not near equilibrium: {}give "
-      "'minimize' before the run", 100.0 * part,
+      "'minimize' before the run",
+      100.0 * part,
       all[1] > 0.0 ? "in pair_coeff give the 'reference' temperature without stress, or " : ""));
 }
 

@@ -86,8 +86,9 @@ void FixTMSPHContact::follow(bool after_breaks)
 {
   const FixTMSPHBond &bonds = *scene.bonds;
   const bool anew = watch.laid_out_anew(bonds);    // the same on all processors
-  if (!anew && !(after_breaks && scene.self && scene.pair->bonds_may_break() &&
-                 watch.removed_anywhere(bonds, world)))
+  if (!anew &&
+      !(after_breaks && scene.self && scene.pair->bonds_may_break() &&
+        watch.removed_anywhere(bonds, world)))
     return;
   std::vector<TMSPHContactList::Pairing> before;    // their particles are still where they were
   std::vector<int> touched;
@@ -110,8 +111,7 @@ void FixTMSPHContact::follow(bool after_breaks)
 
 void FixTMSPHContact::list_pairs(const std::vector<int> *touched)
 {
-  maxexchange =
-      std::max(list.make(outlines.get(), touched), TMSPHContactMemory::size(0, 0, 0, 0));
+  maxexchange = std::max(list.make(outlines.get(), touched), TMSPHContactMemory::size(0, 0, 0, 0));
   couples.list_anew();
 }
 

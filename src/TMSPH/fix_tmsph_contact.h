@@ -36,10 +36,11 @@ FixStyle(tmsph/contact,FixTMSPHContact);
 
 namespace LAMMPS_NS {
 
-class FixTMSPHContact : public Fix,
-                        public TMSPHSurfaceContact,
-                        public TMSPHPresses,
-                        public TMSPHStoresIds {
+class FixTMSPHContact :
+    public Fix,
+    public TMSPHSurfaceContact,
+    public TMSPHPresses,
+    public TMSPHStoresIds {
  public:
   FixTMSPHContact(class LAMMPS *, int, char **);
   ~FixTMSPHContact() override;
@@ -90,8 +91,8 @@ class FixTMSPHContact : public Fix,
   TMSPHContactCouples couples;
   std::unique_ptr<TMSPHContactOutlines> outlines;    // only for method segment
   std::unique_ptr<TMSPHContactPlaces> places;
-  TMSPHBondWatch watch;             // of the bonds when the pairs were listed
-  bool resumed;                     // the setup takes the forces of the last step again
+  TMSPHBondWatch watch;    // of the bonds when the pairs were listed
+  bool resumed;            // the setup takes the forces of the last step again
 
   void parse(int, char **);
   void read_friction(class TMSPHValues &);

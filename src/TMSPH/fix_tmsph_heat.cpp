@@ -32,11 +32,13 @@ FixTMSPHHeat::FixTMSPHHeat(LAMMPS *lmp, int narg, char **arg) :
     stepper(lmp, flows, ledger), every(1), time_scale(1.0), viscous(false), told(false)
 {
   if (!atom->temperature_flag || !atom->vfrac_flag || !atom->rmass_flag)
-    error->all(FLERR, "Fix tmsph/heat needs an atom style with temperature, volume and mass: "
-                      "atom_style tmsph");
+    error->all(FLERR,
+               "Fix tmsph/heat needs an atom style with temperature, volume and mass: "
+               "atom_style tmsph");
   if (igroup != 0)
-    error->all(FLERR, "Fix tmsph/heat works on all particles: use group all and give each type its "
-                      "conductivity");
+    error->all(FLERR,
+               "Fix tmsph/heat works on all particles: use group all and give each type its "
+               "conductivity");
   parse(narg, arg);
   scalar_flag = vector_flag = 1;
   size_vector = 8;
@@ -235,8 +237,11 @@ int FixTMSPHHeat::maxsize_restart()
 
 void FixTMSPHHeat::write_restart(FILE *fp)
 {
-  std::vector<double> list = {RESTART_FORMAT, stepper.covered(), (double) flows.applications(),
-                              stepper.fastest_rate(), (double) stepper.comfortable_steps(),
+  std::vector<double> list = {RESTART_FORMAT,
+                              stepper.covered(),
+                              (double) flows.applications(),
+                              stepper.fastest_rate(),
+                              (double) stepper.comfortable_steps(),
                               flows.stable_step()};
   ledger.append_to(list);
   network.append_to(list);

@@ -60,8 +60,9 @@ FixTMSPHHeatBoundary::FixTMSPHHeatBoundary(LAMMPS *lmp, int narg, char **arg) :
     one_sided(false), cracks(false), heat(nullptr), store(nullptr), found(false)
 {
   if (!atom->temperature_flag)
-    error->all(FLERR, "Fix tmsph/heat/boundary needs an atom style with temperature: atom_style "
-                      "tmsph");
+    error->all(FLERR,
+               "Fix tmsph/heat/boundary needs an atom style with temperature: atom_style "
+               "tmsph");
   parse(narg, arg);
   scalar_flag = vector_flag = 1;
   size_vector = 4;
@@ -125,8 +126,9 @@ void FixTMSPHHeatBoundary::parse(int narg, char **arg)
   if (place == BODY && kind != TEMPERATURE)
     error->all(FLERR, "Fix tmsph/heat/boundary {} acts at the surface: remove 'place body'", what);
   if (place == BODY && surface_words)
-    error->all(FLERR, "Fix tmsph/heat/boundary with 'place body' takes no region, facing, area or "
-                      "cracks: remove them, or use 'place surface'");
+    error->all(FLERR,
+               "Fix tmsph/heat/boundary with 'place body' takes no region, facing, area or "
+               "cracks: remove them, or use 'place surface'");
   if ((kind == RADIATION) != zero_given)
     error->all(FLERR, "Fix tmsph/heat/boundary {} 'zero T', the temperature of absolute zero",
                kind == RADIATION ? "radiation needs" : what + " does not use");
@@ -216,7 +218,8 @@ void FixTMSPHHeatBoundary::tell()
     if (fix->igroup != igroup) return;    // parts of the body have temperatures of their own
   auto pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
   pair->warn_once(fmt::format("Only group {} of fix tmsph/heat/boundary {} is heated: for heat to "
-                              "go on from there add a fix tmsph/heat", group->names[igroup], id));
+                              "go on from there add a fix tmsph/heat",
+                              group->names[igroup], id));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -353,8 +356,10 @@ void FixTMSPHHeatBoundary::find_surface()
   if (!region_id.empty()) {
     region = domain->get_region_by_id(region_id);
     if (!region)
-      error->all(FLERR, "Region {} of fix tmsph/heat/boundary does not exist: define it with the "
-                        "command region", region_id);
+      error->all(FLERR,
+                 "Region {} of fix tmsph/heat/boundary does not exist: define it with the "
+                 "command region",
+                 region_id);
   }
   for (int i = 0; i < nlocal; i++) std::fill_n(store->astore[i], (int) NCOLUMNS, 0.0);
   double area = 0.0, total;

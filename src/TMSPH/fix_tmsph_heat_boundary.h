@@ -20,10 +20,11 @@ FixStyle(tmsph/heat/boundary,FixTMSPHHeatBoundary);
 
 namespace LAMMPS_NS {
 
-class FixTMSPHHeatBoundary : public Fix,
-                             public TMSPHHeatBoundary,
-                             public TMSPHHeatClock,
-                             public TMSPHReporter {
+class FixTMSPHHeatBoundary :
+    public Fix,
+    public TMSPHHeatBoundary,
+    public TMSPHHeatClock,
+    public TMSPHReporter {
  public:
   FixTMSPHHeatBoundary(class LAMMPS *, int, char **);
   ~FixTMSPHHeatBoundary() override;
@@ -50,11 +51,11 @@ class FixTMSPHHeatBoundary : public Fix,
   TMSPHGhostSender ghosts;
   enum Kind { TEMPERATURE, FLUX, CONVECTION, RADIATION } kind;
   enum Place { UNDECIDED, BODY, SURFACE } place;
-  bool body;                // place as decided at init
-  double value;             // temperature or flux in force
-  double coefficient;       // film coefficient, or emissivity times Stefan's constant
-  double absolute_zero;     // of the temperature scale
-  std::string variable;     // name of that of equal or atom style that gives the value, or empty
+  bool body;               // place as decided at init
+  double value;            // temperature or flux in force
+  double coefficient;      // film coefficient, or emissivity times Stefan's constant
+  double absolute_zero;    // of the temperature scale
+  std::string variable;    // name of that of equal or atom style that gives the value, or empty
   int variable_index;
   std::vector<double> values;    // of local particles, of an atom-style variable
 
@@ -62,12 +63,12 @@ class FixTMSPHHeatBoundary : public Fix,
   double given_area;        // of the whole surface of the group, or 0
   bool one_sided;           // only faces that look in this direction
   double direction[3];
-  bool cracks;              // bonds that are gone make surface
+  bool cracks;    // bonds that are gone make surface
   class FixTMSPHHeat *heat;
-  class FixStoreAtom *store;     // area, depth, normal of each particle, in the reference positions
+  class FixStoreAtom *store;    // area, depth, normal of each particle, in the reference positions
   std::string store_id;
-  bool found;               // the surface; it is kept, but for cracks
-  TMSPHBondWatch watch;     // of what was gone when it was found
+  bool found;              // the surface; it is kept, but for cracks
+  TMSPHBondWatch watch;    // of what was gone when it was found
 
   void parse(int, char **);
   void read_direction(class TMSPHValues &);

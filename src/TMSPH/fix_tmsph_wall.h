@@ -78,7 +78,7 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
   TMSPHWallCandidates candidates;
   TMSPHWallPlaces places;
   TMSPHWallPicture picture;
-  bool started;                  // this or an earlier run has been set up
+  bool started;    // this or an earlier run has been set up
 
   void parse(char **next, char **last);
   void list_candidates();

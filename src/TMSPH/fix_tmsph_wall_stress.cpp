@@ -61,9 +61,8 @@ TMSPHPresses::Load FixTMSPHWall::load_of(int i, const TMSPHWallMemory &memory) c
   const double *f = memory.force;
   WallTouch place[2];
   const int side = scene.both_sides ? memory.side : 1;
-  const int places =
-      scene.shape->touches(scene.motion.to_body(candidates.position_of(i)),
-                           TMSPHWallScene::REACH * scene.gap(i), side, place);
+  const int places = scene.shape->touches(scene.motion.to_body(candidates.position_of(i)),
+                                          TMSPHWallScene::REACH * scene.gap(i), side, place);
   double along[2] = {}, normal[2] = {}, cosine = 0.0;
   for (int p = 0; p < places; p++) {
     place[p].normal = scene.motion.turned(place[p].normal);
@@ -84,8 +83,9 @@ TMSPHPresses::Load FixTMSPHWall::load_of(int i, const TMSPHWallMemory &memory) c
     const double scale = -half_row(i, n) / atom->vfrac[i];
     const auto component = [&](int a, int b) {
       const double one = a == b ? 1.0 : 0.0;
-      return scale * (normal[p] * (n[a] * n[b] + ratio * (one - n[a] * n[b])) +
-                      (rubbing[a] * n[b] + rubbing[b] * n[a]) / places);
+      return scale *
+          (normal[p] * (n[a] * n[b] + ratio * (one - n[a] * n[b])) +
+           (rubbing[a] * n[b] + rubbing[b] * n[a]) / places);
     };
     for (int a = 0, k = 3; a < domain->dimension; a++) {
       load.stress[a] += component(a, a);

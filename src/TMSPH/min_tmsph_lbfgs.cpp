@@ -30,14 +30,14 @@ using Vector = TMSPH::LBFGS::Vector;
 // MOST_GROWTH and ten times FIRST; with 4 TRIALS, 0.01 or 0.3 for LEAST_PART and 0.7 for MOST_PART
 // the same
 
-static constexpr double DMAX = 0.01;          // of the particle spacing
-static constexpr double FIRST = 0.01;         // of the longest move: the first one, to learn
-static constexpr double CURVATURE = 0.9;      // |slope| at the end/at the start: Nocedal, Wright,
-                                              // Numerical Optimization, 2006, Sect. 3.1
-static constexpr int TRIALS = 12;             // lengths tried on a line, each in parts of the last:
+static constexpr double DMAX = 0.01;        // of the particle spacing
+static constexpr double FIRST = 0.01;       // of the longest move: the first one, to learn
+static constexpr double CURVATURE = 0.9;    // |slope| at the end/at the start: Nocedal, Wright,
+                                            // Numerical Optimization, 2006, Sect. 3.1
+static constexpr int TRIALS = 12;           // lengths tried on a line, each in parts of the last:
 static constexpr double LEAST_PART = 0.1, MOST_PART = 0.9, MOST_GROWTH = 100.0;
-static constexpr int STEPS_KEPT = 8;          // 25 gain nothing: doc/report/quasistatic.md
-static constexpr double EPS_ENERGY = 1.0e-8;  // as in LAMMPS's minimizers
+static constexpr int STEPS_KEPT = 8;            // 25 gain nothing: doc/report/quasistatic.md
+static constexpr double EPS_ENERGY = 1.0e-8;    // as in LAMMPS's minimizers
 
 /* ---------------------------------------------------------------------- */
 
@@ -67,8 +67,7 @@ int MinTMSPHLBFGS::modify_param(int narg, char **arg)
 void MinTMSPHLBFGS::init()
 {
   Min::init();
-  if (dmax < 0.0)
-    error->all(FLERR, "Min_modify dmax {} must be positive", dmax);
+  if (dmax < 0.0) error->all(FLERR, "Min_modify dmax {} must be positive", dmax);
   longest = dmax;
   pair = dynamic_cast<PairTMSPH *>(force->pair_match("^tmsph", 0));
   preconditioner.init(pair);
@@ -93,9 +92,10 @@ double MinTMSPHLBFGS::usual_longest() const
 void MinTMSPHLBFGS::setup_style()
 {
   if (nextra_global || nextra_atom)
-    error->all(FLERR, "Min style tmsph/lbfgs moves particles only: it cannot serve fix box/relax "
-                      "or other degrees of freedom: use 'min_style cg' with 'min_modify line "
-                      "forcezero' and a dmax of 0.01 spacings");
+    error->all(FLERR,
+               "Min style tmsph/lbfgs moves particles only: it cannot serve fix box/relax "
+               "or other degrees of freedom: use 'min_style cg' with 'min_modify line "
+               "forcezero' and a dmax of 0.01 spacings");
   for (int n = 0; n < HISTORY + 2 * lbfgs.memory(); n++) fix_minimize->add_vector(3);
 }
 
@@ -247,8 +247,9 @@ int MinTMSPHLBFGS::step()
     const bool beyond = slope_there < -CURVATURE * slope;
     const bool before = learning && slope_there > CURVATURE * slope && length < most;
     if (!beyond && !before) break;
-    length = std::min(most, TMSPH::secant_length(length, slope, slope_there, LEAST_PART,
-                                                 before ? MOST_GROWTH : MOST_PART));
+    length = std::min(most,
+                      TMSPH::secant_length(length, slope, slope_there, LEAST_PART,
+                                           before ? MOST_GROWTH : MOST_PART));
     slope_there = try_length(length);
   }
   alpha_final = length;

@@ -55,7 +55,7 @@ class MinTMSPHLBFGS : public Min {
   TMSPH::LBFGS lbfgs;
   TMSPHPreconditioner preconditioner;
   class PairTMSPH *pair;
-  double longest;               // no particle moves farther in an iteration, 0: not yet known
+  double longest;    // no particle moves farther in an iteration, 0: not yet known
   bool with_energy;
   bigint total_evaluations;
 

@@ -143,8 +143,7 @@ template <int D> void PairTMSPH::find_stresses(bool inverted_breaks)
     out.gradient = own_gradient.data();
   }
   own_side.find_stress<D>(on, rows.kinematic(), out);
-  if (averaging.on())
-    averaging.add_to_stress<D>(on.thermal, own_gradient.data(), stress.data());
+  if (averaging.on()) averaging.add_to_stress<D>(on.thermal, own_gradient.data(), stress.data());
   pressed.add_stress(*bond_fix, stress.data());
 }
 
@@ -210,11 +209,9 @@ template <int D> void PairTMSPH::follow(const std::vector<int> &touched)
 
 template <int D> void PairTMSPH::complete_rows()
 {
-  if (averaging.on())
-    averaging.add_to_forces<D>(*bond_fix, gradient.data(), rows.force());
+  if (averaging.on()) averaging.add_to_forces<D>(*bond_fix, gradient.data(), rows.force());
   if (coupling.on())
-    coupling.find_forces<D>(*bond_fix, on.thermal, rows.kinematic(), gradient.data(),
-                            rows.force());
+    coupling.find_forces<D>(*bond_fix, on.thermal, rows.kinematic(), gradient.data(), rows.force());
   if (opens()) openings()->finish<D>(bond_state());
   rows.send_forces<D>(Rows<D>::communicated(on));
 }
@@ -270,8 +267,8 @@ template <int D> void PairTMSPH::add_energy()
 double PairTMSPH::spacing() const
 {
   const int family = bond_fix->family_sizes().second + 1;
-  return horizon() * (domain->dimension == 2 ? std::sqrt(PI / family)
-                                             : std::cbrt(4.0 * PI / (3.0 * family)));
+  return horizon() *
+      (domain->dimension == 2 ? std::sqrt(PI / family) : std::cbrt(4.0 * PI / (3.0 * family)));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -43,10 +43,7 @@ struct TMSPHFields {
 class TMSPHOpenings;
 struct TMSPHBondState;
 
-class PairTMSPH : public Pair,
-                  public TMSPHMaterials,
-                  public TMSPHParticipants,
-                  public TMSPHNotes {
+class PairTMSPH : public Pair, public TMSPHMaterials, public TMSPHParticipants, public TMSPHNotes {
  public:
   PairTMSPH(class LAMMPS *);
   ~PairTMSPH() override;

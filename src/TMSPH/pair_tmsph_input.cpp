@@ -66,8 +66,7 @@ PairTMSPH::PairTMSPH(LAMMPS *lmp) :
 
 PairTMSPH::~PairTMSPH()
 {
-  if (modify->nfix && modify->get_fix_by_id(FixTMSPHBond::ID))
-    modify->delete_fix(FixTMSPHBond::ID);
+  if (modify->nfix && modify->get_fix_by_id(FixTMSPHBond::ID)) modify->delete_fix(FixTMSPHBond::ID);
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);

@@ -22,8 +22,9 @@ void PairTMSPH::run_begins()
   int left = !openings() && bond_fix->bonds_carry(TMSPHOpenings::NAME, atom->nlocal), any;
   MPI_Allreduce(&left, &any, 1, MPI_INT, MPI_MAX, world);
   if (any)
-    error->all(FLERR, "Bonds have begun to open, and no fix has the word energy or toughness: keep "
-                      "the fix that breaks bonds as it was, after read_restart too");
+    error->all(FLERR,
+               "Bonds have begun to open, and no fix has the word energy or toughness: keep "
+               "the fix that breaks bonds as it was, after read_restart too");
   const bool two = domain->dimension == 2;
   const int columns = two ? Rows<2>::communicated(on) : Rows<3>::communicated(on);
   const int others = averaging.doubles_per_ghost() + coupling.doubles_per_ghost();
@@ -37,7 +38,7 @@ void PairTMSPH::run_begins()
 std::string PairTMSPH::features() const
 {
   std::string text = domain->dimension == 3 ? "3-D"
-      : chosen.plane == Plane::STRAIN              ? "plane strain"
+      : chosen.plane == Plane::STRAIN       ? "plane strain"
                                             : "plane stress";
   text += std::visit([](auto law) { return fmt::format(", {}", law.TITLE); }, on.law);
   if (on.thermal == ThermalStrain::BOND) text += ", thermal bonds";

@@ -153,8 +153,7 @@ void TMSPHAveraging::add_to_stress(ThermalStrain thermal, const double *gradient
                                    double *stress) const
 {
   for (int i = 0; i < atom->nlocal; i++) {
-    const double stretch =
-        thermal == ThermalStrain::BOND ? 1.0 + materials.thermal_strain(i) : 1.0;
+    const double stretch = thermal == ThermalStrain::BOND ? 1.0 + materials.thermal_strain(i) : 1.0;
     add_pressure_stress<D>(pressure[i], gradients + (size_t) D * D * i, stretch,
                            stress + (size_t) STRESS_ROW<D> * i);
   }

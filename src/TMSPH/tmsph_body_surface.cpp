@@ -54,7 +54,8 @@ TMSPHBodySurface::TMSPHBodySurface(LAMMPS *lmp, const TMSPHConductionNorms &kept
                                    const TMSPHFlatFaces &flat,
                                    const TMSPHConductanceBalance &balanced,
                                    TMSPHGhostSender &sender) :
-    Pointers(lmp), norms(kept), faces(flat), balance(balanced), ghosts(sender)
+    Pointers(lmp),
+    norms(kept), faces(flat), balance(balanced), ghosts(sender)
 {
 }
 
@@ -240,8 +241,7 @@ bool TMSPHBodySurface::divide_among_faces(int i, const BondPull &pull, bool crac
   for (size_t k = 0; k < own.size(); k++) {
     const Layer<D> &layer = own[k];
     if (layer.below > 0.0) {
-      const double both =
-          std::max(2.0 * norms.frozen_norm(i) * layer.missing, std::fabs(along[k]));
+      const double both = std::max(2.0 * norms.frozen_norm(i) * layer.missing, std::fabs(along[k]));
       add(layer.normal, layer.above, 0.5 * (both + along[k]));
       add(-layer.normal, layer.below, 0.5 * (both - along[k]));
     } else {

@@ -64,9 +64,7 @@ template <int D> void TMSPHBondRows::take_velocities(const FixTMSPHBond &bonds)
   static constexpr double REST[3] = {0.0, 0.0, 0.0};
   const bool minimizing = update->whichflag == 2;    // looks for equilibrium: nothing moves
   for (int i = 0; i < atom->nlocal; i++) {
-    const double *v = minimizing ? REST
-        : update->setupflag      ? bonds.setup_velocity(i)
-                                 : atom->v[i];
+    const double *v = minimizing ? REST : update->setupflag ? bonds.setup_velocity(i) : atom->v[i];
     std::copy_n(v, D, force<D>(i) + Rows<D>::V);
   }
   stepped = !minimizing;
@@ -78,8 +76,9 @@ template <int D> void TMSPHBondRows::take_velocities(const FixTMSPHBond &bonds)
 const double *TMSPHBondRows::step_velocity(int i) const
 {
   if (!stepped) return nullptr;
-  return force_row.data() + (domain->dimension == 2 ? (size_t) i * Rows<2>::FORCE + Rows<2>::V
-                                                    : (size_t) i * Rows<3>::FORCE + Rows<3>::V);
+  return force_row.data() +
+      (domain->dimension == 2 ? (size_t) i * Rows<2>::FORCE + Rows<2>::V
+                              : (size_t) i * Rows<3>::FORCE + Rows<3>::V);
 }
 
 /* ---------------------------------------------------------------------- */

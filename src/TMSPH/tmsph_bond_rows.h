@@ -38,8 +38,7 @@ class TMSPHBondRows : protected Pointers {
   const double *step_velocity(int i) const;
   /** Displacements of push times the trial vector from the present positions, on ghosts too, and
       "rate" times that as velocities. */
-  template <int D>
-  void try_move(const std::vector<double> &trial, double push, double rate);
+  template <int D> void try_move(const std::vector<double> &trial, double push, double rate);
   template <int D> std::vector<double> velocities() const;
   template <int D> void put_velocities(const std::vector<double> &);
   /// the first columns of the force rows

@@ -85,7 +85,10 @@ class TMSPHBondValues {
   /// place in the family of number n of these, ascending
   int place(int i, int n) const { return (int) rows[i][(size_t) n * (width + 1)]; }
   double *values(int i, int n) { return rows[i].data() + (size_t) n * (width + 1) + 1; }
-  const double *values(int i, int n) const { return const_cast<TMSPHBondValues *>(this)->values(i, n); }
+  const double *values(int i, int n) const
+  {
+    return const_cast<TMSPHBondValues *>(this)->values(i, n);
+  }
   /// number of the bond at place k in the family of i; -1 if it carries none
   int number(int i, int k) const
   {
@@ -167,7 +170,8 @@ class TMSPHBondValues {
   }
 
  private:
-  std::vector<std::vector<double>> rows;    // [nmax] place and numbers of each; empty: nobody has any
+  // [nmax] place and numbers of each; empty: nobody has any
+  std::vector<std::vector<double>> rows;
 
   int at(int i, int k) const    // the first that does not stand before place k
   {

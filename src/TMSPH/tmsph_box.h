@@ -34,11 +34,11 @@ class TMSPHBox : protected Pointers {
   void add_rate(const int *pbc, int n, const int *list, double *v, int stride) const;
 
  private:
-  bool changes = false;       // some fix changes the box
-  double rate[3] = {};        // of its edges, in this step or the last one
-  double size[3] = {};        // since when it has this size, in the last forces
+  bool changes = false;    // some fix changes the box
+  double rate[3] = {};     // of its edges, in this step or the last one
+  double size[3] = {};     // since when it has this size, in the last forces
   double age = 0.0;
-  bigint exchanged = -1;      // on this step the box was ahead of LAMMPS
+  bigint exchanged = -1;    // on this step the box was ahead of LAMMPS
 
   void grow_older(bool in_step);
   void move_ghosts(double ahead);

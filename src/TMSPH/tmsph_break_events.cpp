@@ -73,8 +73,7 @@ void TMSPHBreakEvents::record(const TMSPHMaterials &materials, const FixTMSPHBon
 double **TMSPHBreakEvents::table()
 {
   if (!event_rows.empty() && event_rows[0] != events[0].column) event_rows.clear();
-  while (event_rows.size() < events.size())
-    event_rows.push_back(events[event_rows.size()].column);
+  while (event_rows.size() < events.size()) event_rows.push_back(events[event_rows.size()].column);
   return event_rows.data();
 }
 
@@ -123,8 +122,7 @@ void TMSPHBreakEvents::gather(std::vector<double> &list) const
 
 void TMSPHBreakEvents::restart(const double *totals, int nprocs, const char *list)
 {
-  for (const Mode mode : {TENSION, SHEAR})
-    broken[mode] = comm->me == 0 ? (bigint) totals[mode] : 0;
+  for (const Mode mode : {TENSION, SHEAR}) broken[mode] = comm->me == 0 ? (bigint) totals[mode] : 0;
   std::vector<double> counts(nprocs);
   memcpy(counts.data(), list, counts.size() * sizeof(double));
   list += counts.size() * sizeof(double);

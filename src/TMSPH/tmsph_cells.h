@@ -33,8 +33,8 @@ class Cells {
       count[a] = members.empty() ? 1 : cell(hi, a) + 1;
     }
     entries.reserve(members.size());
-    for (const int i : members) entries.emplace_back(key(cell(x[i][0], 0), cell(x[i][1], 1),
-                                                         cell(x[i][2], 2)), i);
+    for (const int i : members)
+      entries.emplace_back(key(cell(x[i][0], 0), cell(x[i][1], 1), cell(x[i][2], 2)), i);
     std::sort(entries.begin(), entries.end());
   }
 

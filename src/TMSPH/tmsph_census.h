@@ -46,9 +46,9 @@ class TMSPHCensus : protected Pointers {
  private:
   class TMSPHFamilies &families;
   class Fix *owner;
-  bigint particles = 0;               // on all processors, when they were counted last
-  double volume = NAN;                // of all of them; NaN: not known yet
-  std::vector<tagint> former_tag;     // of ghosts too, while ids are being followed
+  bigint particles = 0;              // on all processors, when they were counted last
+  double volume = NAN;               // of all of them; NaN: not known yet
+  std::vector<tagint> former_tag;    // of ghosts too, while ids are being followed
 
   bigint count_particles() const;
   double total_volume() const;

@@ -74,9 +74,10 @@ template <int D> class CoarseGrid {
         std::int64_t *entry = stiffness + block(p, a, b);
         for (int r = 0; r < D; r++)
           for (int c = 0; c < D; c++)
-            entry[D * r + c] += (std::int64_t) (scale * (lambda * g[a][r] * g[b][c] +
-                                                         shear * g[a][c] * g[b][r] +
-                                                         (r == c ? shear * product : 0.0)));
+            entry[D * r + c] +=
+                (std::int64_t)(scale *
+                               (lambda * g[a][r] * g[b][c] + shear * g[a][c] * g[b][r] +
+                                (r == c ? shear * product : 0.0)));
       }
   }
 
@@ -86,7 +87,7 @@ template <int D> class CoarseGrid {
     for (int a = 0; a < CORNERS; a++)
       for (int b = 0; b < CORNERS; b++)
         stiffness[block(p, a, b) + D * k + k] +=
-            (std::int64_t) (scale * spring * p.weight[a] * p.weight[b]);
+            (std::int64_t)(scale * spring * p.weight[a] * p.weight[b]);
   }
 
   /** Factorizes the sum of the stiffnesses of all points. A free body turns and shifts without

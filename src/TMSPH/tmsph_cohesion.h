@@ -78,7 +78,7 @@ struct Opening {
   double strength = 0.0;    ///< t0, with which it began
   double end = 0.0;         ///< c_f, where it carries nothing any more
   double now = 0.0;         ///< c >= 0
-  double most = 0.0;        ///< largest c so far; below it the traction is on the line to the origin
+  double most = 0.0;    ///< largest c so far; below it the traction is on the line to the origin
 };
 
 /// traction of an opening

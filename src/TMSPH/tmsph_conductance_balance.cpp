@@ -64,7 +64,8 @@ template <int D> class Springs : protected Pointers {
 template <int D>
 Springs<D>::Springs(LAMMPS *lmp, const FixTMSPHBond &bonds, const TMSPHConductionNorms &norms,
                     const std::vector<BondPull> &pulls) :
-    Pointers(lmp), first(atom->nlocal + 1, 0), free(atom->nlocal)
+    Pointers(lmp),
+    first(atom->nlocal + 1, 0), free(atom->nlocal)
 {
   for (int i = 0; i < atom->nlocal; i++) {
     free[i] = pulls[i].outermost;
@@ -182,7 +183,8 @@ std::vector<double> Springs<D>::solve(const std::vector<BondPull> &pulls, TMSPHG
 
 TMSPHConductanceBalance::TMSPHConductanceBalance(LAMMPS *lmp, TMSPHConductionNorms &kept,
                                                  TMSPHGhostSender &sender) :
-    Pointers(lmp), norms(kept), ghosts(sender), multipliers(domain->dimension)
+    Pointers(lmp),
+    norms(kept), ghosts(sender), multipliers(domain->dimension)
 {
 }
 

@@ -118,9 +118,8 @@ void TMSPHConductionNorms::find_depths()
       if (atom->type[bond.j] == type) own += mass;
       total += mass;
     }
-    store->astore[i][DEPTH] = own == total
-        ? 0.0
-        : std::max(depth_in[type](own / total), LEAST_DEPTH * bonds->spacing(i));
+    store->astore[i][DEPTH] =
+        own == total ? 0.0 : std::max(depth_in[type](own / total), LEAST_DEPTH * bonds->spacing(i));
   }
 }
 

@@ -77,8 +77,7 @@ void TMSPHContactCouples::find_bearers()
    X joins the reference positions
 ------------------------------------------------------------------------- */
 
-template <int D, class Use>
-static inline void each_bond(const FixTMSPHBond &bonds, int i, Use use)
+template <int D, class Use> static inline void each_bond(const FixTMSPHBond &bonds, int i, Use use)
 {
   const Slices &layout = bonds.layout();
   const double *const here = bonds.reference(i);
@@ -172,8 +171,7 @@ template <int D> void TMSPHContactCouples::fill_rows()
    false if no bond of a particle bears anything
 ------------------------------------------------------------------------- */
 
-template <int D>
-static bool near_presses(const Couples<D> &all, const FixTMSPHBond &bonds, int i)
+template <int D> static bool near_presses(const Couples<D> &all, const FixTMSPHBond &bonds, int i)
 {
   if (all.presses(i)) return true;
   const Slices &layout = bonds.layout();

@@ -21,7 +21,8 @@ class TMSPHContactCouples : protected Pointers {
  public:
   TMSPHContactCouples(class LAMMPS *lmp, const TMSPHContactScene &scene, TMSPHContactList &list,
                       TMSPHGhostSender &ghosts) :
-      Pointers(lmp), scene(scene), list(list), ghosts(ghosts)
+      Pointers(lmp),
+      scene(scene), list(list), ghosts(ghosts)
   {
   }
   /// pairs were listed

@@ -59,10 +59,12 @@ void TMSPHContactFit::warn_if_apart(double nearest)
   double nearest_of_all;
   MPI_Allreduce(&nearest, &nearest_of_all, 1, MPI_DOUBLE, MPI_MIN, world);
   if (nearest_of_all < APART || nearest_of_all == HUGE_VAL || comm->me) return;
-  error->warning(FLERR, "Bodies that are not bonded have their nearest particles {:.3g} spacings "
-                        "apart: fix tmsph/contact {} takes their surfaces to touch there, so let "
-                        "them touch in the reference positions, or stand farther apart than the "
-                        "horizon", nearest_of_all, scene.id);
+  error->warning(FLERR,
+                 "Bodies that are not bonded have their nearest particles {:.3g} spacings "
+                 "apart: fix tmsph/contact {} takes their surfaces to touch there, so let "
+                 "them touch in the reference positions, or stand farther apart than the "
+                 "horizon",
+                 nearest_of_all, scene.id);
 }
 
 /* ----------------------------------------------------------------------
@@ -201,9 +203,8 @@ template <int D> void TMSPHContactFit::fit_surface(Pairing &pairing, const TMSPH
     p.distance += normal[a] * X[a];
     depth += normal[a] * centre[a];
   }
-  p.depth = marks.m[0] > 0.0 && p.distance > 0.0
-      ? std::min(1.0, std::max(0.0, depth / p.distance))
-      : 0.5;
+  p.depth = marks.m[0] > 0.0 && p.distance > 0.0 ? std::min(1.0, std::max(0.0, depth / p.distance))
+                                                 : 0.5;
   set_origin<D>(X, p);
 }
 
@@ -220,10 +221,10 @@ void TMSPHContactFit::set_stiffness(Pairing &pairing, double kappa, double ratio
   const auto mean = [](double a, double b) { return 2.0 * a * b / (a + b); };
   const double modulus = mean(one.lambda + 2.0 * one.shear, other.lambda + 2.0 * other.shear);
   pairing.pair.shear_ratio = ratio * mean(one.shear, other.shear) / modulus;
-  pairing.pair.stiffness = scene.stiffness * closure * 2.0 * modulus / kappa * atom->vfrac[low] *
-      atom->vfrac[high];
+  pairing.pair.stiffness =
+      scene.stiffness * closure * 2.0 * modulus / kappa * atom->vfrac[low] * atom->vfrac[high];
   const bool one_body = scene.pair->bonded(type[low], type[high]);
-  pairing.pair.friction =
-      one_body && !scene.rough_faces ? 0.0 : scene.friction[type[low]][type[high]];
+  pairing.pair.friction = one_body && !scene.rough_faces ? 0.0
+                                                         : scene.friction[type[low]][type[high]];
   pairing.pair.horizon = scene.pair->horizon(type[low], type[high]);
 }

@@ -21,9 +21,10 @@ namespace LAMMPS_NS {
 class TMSPHContactFit : protected Pointers {
  public:
   /// @param ghosts sends MOST_SENT doubles of each particle at most
-  TMSPHContactFit(class LAMMPS *lmp, const TMSPHContactScene &scene,
-                  TMSPHContactSurfaces &surfaces, TMSPHGhostSender &ghosts) :
-      Pointers(lmp), scene(scene), surfaces(surfaces), ghosts(ghosts)
+  TMSPHContactFit(class LAMMPS *lmp, const TMSPHContactScene &scene, TMSPHContactSurfaces &surfaces,
+                  TMSPHGhostSender &ghosts) :
+      Pointers(lmp),
+      scene(scene), surfaces(surfaces), ghosts(ghosts)
   {
   }
   static constexpr int MOST_SENT = 2 * TMSPH::Moments<3>::SIZE;
@@ -41,8 +42,7 @@ class TMSPHContactFit : protected Pointers {
   template <int D> double mark(const TMSPHContactList &, TMSPHGhostRows &) const;
   template <int D> void gather_marks(const TMSPHContactList &, TMSPHGhostRows &);
   template <int D> void fit_surface(TMSPHContactList::Pairing &, const TMSPHGhostRows &);
-  void set_stiffness(TMSPHContactList::Pairing &, double kappa, double ratio,
-                     double closure) const;
+  void set_stiffness(TMSPHContactList::Pairing &, double kappa, double ratio, double closure) const;
   void warn_if_apart(double nearest);
 };
 

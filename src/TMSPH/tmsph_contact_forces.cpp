@@ -88,8 +88,7 @@ template <int D> void TMSPHContactForces::predict(double dt)
   pressing.resize(pairings.size());
   for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
-    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.now, kernel,
-                                 scene.law.ahead(dt));
+    states[n] = contact_state<D>(p.pair, at(p.low), at(p.high), p.now, kernel, scene.law.ahead(dt));
     pressing[n] = states[n].predicted > 0.0 ? states[n].stiffness : 0.0;
   }
 }
@@ -98,8 +97,7 @@ template <int D> void TMSPHContactForces::predict(double dt)
 
 void TMSPHContactForces::find_compliances(const TMSPHContactPlaces *places)
 {
-  const int column =
-      domain->dimension == 2 ? ContactRow<2>::COMPLIANCE : ContactRow<3>::COMPLIANCE;
+  const int column = domain->dimension == 2 ? ContactRow<2>::COMPLIANCE : ContactRow<3>::COMPLIANCE;
   for (const Member &m : list.members) {
     double stiffness = places ? places->stiffness(m.i) : 0.0;
     for (int n = m.first; n < m.last; n++) stiffness += pressing[list.ends[n].pairing];

@@ -27,7 +27,8 @@ class TMSPHContactForces : protected Pointers {
  public:
   TMSPHContactForces(class LAMMPS *lmp, const TMSPHContactScene &scene, TMSPHContactList &list,
                      TMSPHGhostSender &ghosts, TMSPHContactTotals &totals) :
-      Pointers(lmp), scene(scene), list(list), ghosts(ghosts), totals(totals)
+      Pointers(lmp),
+      scene(scene), list(list), ghosts(ghosts), totals(totals)
   {
   }
   void init();
@@ -62,13 +63,13 @@ class TMSPHContactForces : protected Pointers {
   TMSPHContactList &list;
   TMSPHGhostSender &ghosts;
   TMSPHContactTotals &totals;
-  std::vector<class Fix *> prescribing;      // that act after it
+  std::vector<class Fix *> prescribing;    // that act after it
   TMSPHGhostRows row;
   int velocities = -1;
   std::tuple<std::vector<TMSPH::ContactState<2>>, std::vector<TMSPH::ContactState<3>>> states_of;
-  std::vector<double> pressing;              // stiffness of each pair that presses, else 0
-  std::vector<Act> acts;                     // of those
-  std::vector<double> heats;                 // of friction of each pair, if heat asks for them
+  std::vector<double> pressing;    // stiffness of each pair that presses, else 0
+  std::vector<Act> acts;           // of those
+  std::vector<double> heats;       // of friction of each pair, if heat asks for them
 
   template <int D> void fill_rows(bool predicts);
   template <int D> TMSPH::ContactEnd<D> end_at(int p, bool expands) const;
@@ -87,8 +88,12 @@ template <int D> inline TMSPH::ContactEnd<D> TMSPHContactForces::end_at(int p, b
 {
   using Row = TMSPH::ContactRow<D>;
   const double *his = row[p];
-  return {atom->x[p], his + Row::V, his + Row::A, his + Row::H,
-          expands ? scene.pair->thermal_strain(p) : 0.0, his[Row::BEARS] != 0.0};
+  return {atom->x[p],
+          his + Row::V,
+          his + Row::A,
+          his + Row::H,
+          expands ? scene.pair->thermal_strain(p) : 0.0,
+          his[Row::BEARS] != 0.0};
 }
 
 }    // namespace LAMMPS_NS

@@ -35,9 +35,9 @@ inline void hold_across(const ContactLaw &law, double stiffness, double q, doubl
 
 /** What friction does at a place in a step; N components along the surface, or in space. */
 template <int N> struct Friction {
-  double force[N];    ///< against +slip on the one that slips
-  double excess[N];   ///< by how much the anchor moves along
-  double work;        ///< lost
+  double force[N];     ///< against +slip on the one that slips
+  double excess[N];    ///< by how much the anchor moves along
+  double work;         ///< lost
 };
 
 /** Friction at a place.
@@ -57,8 +57,7 @@ inline Friction<N> hold_along(double stiffness, double q, double limit, const do
 /** Energy in the springs of a place.
     @param rubbing friction along the surface, N components */
 template <int N>
-inline double held_energy(double stiffness, double tangential, double normal,
-                          const double *rubbing)
+inline double held_energy(double stiffness, double tangential, double normal, const double *rubbing)
 {
   double square = rubbing[0] * rubbing[0];
   for (int k = 1; k < N; k++) square += rubbing[k] * rubbing[k];
@@ -70,8 +69,7 @@ inline double held_energy(double stiffness, double tangential, double normal,
     @param taken  those that another place has already
     @param same   same(n): does anchor n belong to the piece of this place?
     @return       its number, or -1: friction starts from where the particle is */
-template <class Same>
-inline int anchor_for(int anchors, const char *taken, int places, Same same)
+template <class Same> inline int anchor_for(int anchors, const char *taken, int places, Same same)
 {
   int which = -1;
   for (int n = 0; n < anchors; n++)

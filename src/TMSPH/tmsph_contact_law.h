@@ -19,9 +19,9 @@ namespace TMSPH {
 /** What a contact law is made of; one more is one more line of CONTACT_LAWS. */
 struct ContactLaw {
   const char *name;
-  bool predicts;        ///< answers the penetration at the end of the step, else that of now
-  double damping;       ///< of the normal motion, of critical
-  bool throws_back;     ///< stiffness 2 m/dt^2: a lone particle leaves in one step
+  bool predicts;       ///< answers the penetration at the end of the step, else that of now
+  double damping;      ///< of the normal motion, of critical
+  bool throws_back;    ///< stiffness 2 m/dt^2: a lone particle leaves in one step
 
   /// the time that it looks ahead
   double ahead(double dt) const { return predicts ? dt : 0.0; }

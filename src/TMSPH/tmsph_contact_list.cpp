@@ -97,9 +97,8 @@ void TMSPHContactList::list_ends(int i, const TMSPHContactMemory &memory,
     const int j = domain->closest_image(i, atom->map(partner));
     if (j >= 0) ends.push_back({j, -1, atom->tag[i] < partner, true, n});
   }
-  std::sort(ends.begin() + first, ends.end(), [this](const End &a, const End &b) {
-    return atom->tag[a.j] < atom->tag[b.j];
-  });
+  std::sort(ends.begin() + first, ends.end(),
+            [this](const End &a, const End &b) { return atom->tag[a.j] < atom->tag[b.j]; });
 }
 
 /* ----------------------------------------------------------------------
@@ -168,13 +167,12 @@ ContactPast &TMSPHContactList::past(const Member &m, const End &e)
 void TMSPHContactList::add_pairing(const Member &m, End &e)
 {
   const int state = e.later ? -1 : scene.bonds->state_with(m.i, atom->tag[e.j]);
-  const Meeting meeting = e.later           ? Meeting::LATER
+  const Meeting meeting = e.later       ? Meeting::LATER
       : state == FixTMSPHBond::UNBONDED ? Meeting::BODIES
                                         : Meeting::FACES;
   e.pairing = pairings.size();
   pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, meeting, false, past(m, e), {}});
-  if (e.later)
-    static_cast<PairGeometry &>(pairings.back().pair) = memory(m).met[e.place].geometry;
+  if (e.later) static_cast<PairGeometry &>(pairings.back().pair) = memory(m).met[e.place].geometry;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -207,9 +205,9 @@ int TMSPHContactList::make(const TMSPHContactOutlines *outlines, const std::vect
     for (int n = m.first; n < m.last; n++) {
       if (ends[n].pairing >= 0) continue;
       const Member &other = members[member_of[ends[n].j]];
-      const auto end = std::lower_bound(
-          ends.begin() + other.first, ends.begin() + other.last, tag[m.i],
-          [tag](const End &e, tagint id) { return tag[e.j] < id; });
+      const auto end =
+          std::lower_bound(ends.begin() + other.first, ends.begin() + other.last, tag[m.i],
+                           [tag](const End &e, tagint id) { return tag[e.j] < id; });
       ends[n].pairing = end->pairing;
       pairings[end->pairing].both_local = true;
     }
@@ -237,7 +235,6 @@ void TMSPHContactList::write_back()
 
 double TMSPHContactList::bytes() const
 {
-  return pairings.capacity() * sizeof(Pairing) +
-      ends.capacity() * (sizeof(End) + sizeof(Record)) +
+  return pairings.capacity() * sizeof(Pairing) + ends.capacity() * (sizeof(End) + sizeof(Record)) +
       members.capacity() * (sizeof(Member) + sizeof(TMSPHContactMemory));
 }

@@ -22,23 +22,23 @@ class TMSPHContactList : protected Pointers {
   enum class Meeting { BODIES, FACES, LATER };
   /** Two particles, at least one of them local, computed once. */
   struct Pairing {
-    int low, high;               // by id
+    int low, high;    // by id
     Meeting meeting;
-    bool both_local;             // two ends have it
-    TMSPH::ContactPast now;      // what they remember, ahead of them: see write_back()
+    bool both_local;           // two ends have it
+    TMSPH::ContactPast now;    // what they remember, ahead of them: see write_back()
     TMSPH::ContactPair pair;
   };
   /** One end of a pair, at a local particle. */
   struct End {
     int j, pairing;
-    bool low;             // it has the lower id
-    bool later;           // it remembers the pair as one that met later, else of the family,
-    int place;            // in this place
+    bool low;      // it has the lower id
+    bool later;    // it remembers the pair as one that met later, else of the family,
+    int place;     // in this place
   };
   struct Member {
-    int i;                // local particle
-    int memory;           // number of what it remembers
-    int first, last;      // its ends, by ascending partner
+    int i;              // local particle
+    int memory;         // number of what it remembers
+    int first, last;    // its ends, by ascending partner
   };
   /** A pair whose surfaces are found anew, and the former ones. */
   struct Refit {
@@ -48,15 +48,16 @@ class TMSPHContactList : protected Pointers {
 
   TMSPHContactList(class LAMMPS *lmp, const TMSPHContactScene &scene,
                    TMSPHContactMemories &memories) :
-      Pointers(lmp), scene(scene), memories(memories)
+      Pointers(lmp),
+      scene(scene), memories(memories)
   {
   }
 
   std::vector<Member> members;
-  std::vector<End> ends;            // of each member by ascending partner
+  std::vector<End> ends;    // of each member by ascending partner
   std::vector<Pairing> pairings;
-  std::vector<Refit> refits;        // since they were taken last
-  bool anywhere = false;            // pairs on any processor
+  std::vector<Refit> refits;    // since they were taken last
+  bool anywhere = false;        // pairs on any processor
 
   /** Lists them again, after an exchange of particles and when bonds have gone (collective). What
       is remembered of particles and pairs that are not listed any more is forgotten.
@@ -81,7 +82,8 @@ class TMSPHContactList : protected Pointers {
   const TMSPHContactScene &scene;
   TMSPHContactMemories &memories;
   bool ahead = false;
-  std::vector<std::pair<tagint, tagint>> fresh;    // ids of ends whose bonds went open, low and high
+  // ids of ends whose bonds went open, low and high
+  std::vector<std::pair<tagint, tagint>> fresh;
 
   int list_members(const class TMSPHContactOutlines *, const std::vector<int> &candidates);
   std::vector<int> list_records(int i, const TMSPHContactMemory &before,

@@ -23,8 +23,8 @@ static constexpr int PAST_SIZE = sizeof(ContactPast) / sizeof(double);
 
 int TMSPHContactMemory::size(int nrecords, int nmet, int nanchors, int npressed)
 {
-  return 25 + (1 + PAST_SIZE) * nrecords + (1 + PAST_SIZE + GEOMETRY_SIZE) * nmet +
-      4 * nanchors + 3 * npressed;
+  return 25 + (1 + PAST_SIZE) * nrecords + (1 + PAST_SIZE + GEOMETRY_SIZE) * nmet + 4 * nanchors +
+      3 * npressed;
 }
 
 /* ---------------------------------------------------------------------- */

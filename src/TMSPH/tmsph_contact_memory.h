@@ -20,7 +20,7 @@ struct TMSPHContactMemory {
   struct Record {
     tagint partner;
     TMSPH::ContactPast past;
-    bool parted;          // they went out of each other's reach; if they come back they meet anew
+    bool parted;    // they went out of each other's reach; if they come back they meet anew
   };
   /** A pair of particles that met later, at both ends. */
   struct Met {
@@ -47,8 +47,8 @@ struct TMSPHContactMemory {
   std::vector<Met> met;                    // ascending partners
   std::vector<Anchor> anchors;             // of the segments that it touches
   double apart = 0.0;    // from the other body's outline in the reference; 0: not within reach
-  std::vector<Pressed> pressed;            // ascending partners; only for heat
-  double rubbed = 0.0;                     // only for heat: friction's work not yet taken
+  std::vector<Pressed> pressed;    // ascending partners; only for heat
+  double rubbed = 0.0;             // only for heat: friction's work not yet taken
 
   /// doubles that pack() writes
   static int size(int nrecords, int nmet, int nanchors, int npressed);

@@ -141,9 +141,11 @@ double TMSPHContactOutlines::reach() const
   const double reach = (2.0 * ROLLING * STRETCHED + OUTLINE_REACH) * coarsest + margin;
   const bool has_ghosts = comm->nprocs > 1 || domain->xperiodic || domain->yperiodic;
   if (has_ghosts && comm->get_comm_cutoff() < reach)
-    error->all(FLERR, "The ghost cutoff {} is shorter than the {:.6g} that method segment of fix "
-                      "tmsph/contact needs on several processors or in a periodic box: raise it "
-                      "with comm_modify cutoff", comm->get_comm_cutoff(), reach);
+    error->all(FLERR,
+               "The ghost cutoff {} is shorter than the {:.6g} that method segment of fix "
+               "tmsph/contact needs on several processors or in a periodic box: raise it "
+               "with comm_modify cutoff",
+               comm->get_comm_cutoff(), reach);
   return reach;
 }
 
@@ -212,9 +214,10 @@ void TMSPHContactOutlines::list_guest(int i, const std::vector<int> &others, dou
       if (dx * dx + dy * dy >= reach * reach) continue;
       const int end = domain->closest_image(j, atom->map(id));
       if (end < 0)
-        error->one(FLERR, "Particle {} of an outline of fix tmsph/contact is out of reach on "
-                          "step {}: raise the ghost cutoff with comm_modify cutoff", id,
-                   update->ntimestep);
+        error->one(FLERR,
+                   "Particle {} of an outline of fix tmsph/contact is out of reach on "
+                   "step {}: raise the ghost cutoff with comm_modify cutoff",
+                   id, update->ntimestep);
       if (square_from_segment(x, a, atom->x[end]) < within * within) segments.emplace_back(j, end);
     }
   }

@@ -33,20 +33,21 @@ class TMSPHContactOutlines : protected Pointers {
   /** A local particle that outlines of other bodies may hold. */
   struct Guest {
     int i;
-    int first, last;       // chains of segments near it
+    int first, last;    // chains of segments near it
   };
   /** A local particle of an outline that may hold others. */
   struct Host {
     int i;
-    int first, last;       // those near it, local and ghost, by ascending ids
+    int first, last;    // those near it, local and ghost, by ascending ids
   };
   struct Chain {
-    int first, last;       // its nodes, from end to end
+    int first, last;    // its nodes, from end to end
   };
 
   TMSPHContactOutlines(class LAMMPS *lmp, const TMSPHContactScene &scene,
                        TMSPHContactMemories &memories, TMSPHGhostSender &ghosts) :
-      Pointers(lmp), scene(scene), memories(memories), ghosts(ghosts)
+      Pointers(lmp),
+      scene(scene), memories(memories), ghosts(ghosts)
   {
   }
   /// the outlines, after an exchange of particles and when bonds have gone (collective)
@@ -56,13 +57,13 @@ class TMSPHContactOutlines : protected Pointers {
   /// true if local particle i may touch, be touched, or was near from the start
   bool faces(int i, double apart) const;
 
-  double coarsest = 0.0;                  // spacing
-  bool measured = false;                  // distances in the reference
-  bool any = false;                       // guests on any processor
-  std::vector<int> particles;             // local and ghost particles of outlines
+  double coarsest = 0.0;         // spacing
+  bool measured = false;         // distances in the reference
+  bool any = false;              // guests on any processor
+  std::vector<int> particles;    // local and ghost particles of outlines
   std::vector<Guest> guests;
   std::vector<Host> hosts;
-  std::vector<int> guest_of, host_of;     // of local particles, -1: neither
+  std::vector<int> guest_of, host_of;    // of local particles, -1: neither
   std::vector<Chain> chains;
   std::vector<int> nodes, near;
 
@@ -70,8 +71,8 @@ class TMSPHContactOutlines : protected Pointers {
   const TMSPHContactScene &scene;
   TMSPHContactMemories &memories;
   TMSPHGhostSender &ghosts;
-  std::vector<double> spacing;                     // by type
-  std::vector<std::array<tagint, 2>> next;         // of local and ghost particles; 0: none
+  std::vector<double> spacing;                // by type
+  std::vector<std::array<tagint, 2>> next;    // of local and ghost particles; 0: none
 
   void find_spacings();
   bool is_guest(int itype, int jtype) const;

@@ -30,25 +30,25 @@ template <int D> constexpr double SHEAR_CLOSURE = D == 2 ? 0.56 : 0.52;
 struct PairGeometry {
   /// reference normals of the ends, both from low to high; 0 of a loose particle: no surface
   double normal_low[3], normal_high[3];
-  double distance;         ///< D, of both particles along the normal when the surfaces just touch
-  double depth;            ///< of the low end below its surface/sum of both depths
+  double distance;    ///< D, of both particles along the normal when the surfaces just touch
+  double depth;       ///< of the low end below its surface/sum of both depths
   /// 1: both are loose, the normal is the line between them, the reference normals what it was
   double loose;
 };
 
 /** What a pair keeps while it is in contact. */
 struct ContactPair : PairGeometry {
-  double origin[2];        ///< tangential coordinates of the high end in the reference
-  double stiffness;        ///< k_n/w
-  double shear_ratio;      ///< k_t/k_n
-  double friction;         ///< coefficient
-  double horizon;          ///< support of the kernel
+  double origin[2];      ///< tangential coordinates of the high end in the reference
+  double stiffness;      ///< k_n/w
+  double shear_ratio;    ///< k_t/k_n
+  double friction;       ///< coefficient
+  double horizon;        ///< support of the kernel
 };
 
 /** What a pair remembers of its past. */
 struct ContactPast {
-  double moved[2];         ///< tangential coordinates where friction is zero, less the origin's
-  double worn;             ///< overlap of the surfaces that takes no force
+  double moved[2];    ///< tangential coordinates where friction is zero, less the origin's
+  double worn;        ///< overlap of the surfaces that takes no force
 };
 
 /** One end as a force evaluation finds it. */
@@ -62,22 +62,21 @@ template <int D> struct ContactEnd {
 /** What a step makes of a pair before any contact has acted. */
 template <int D> struct ContactState {
   double r[D], normal[D], tangent[D - 1][D];
-  double weight;                  ///< w
-  double stiffness;               ///< k_n
-  double shear_ratio;             ///< k_t/k_n
-  double fading[D - 1];           ///< derivatives of log k_n along the tangents; of pairs that press
-  double closing;                 ///< velocity
-  double penetration;             ///< now
-  double predicted;               ///< at the end of the step; positive: active
-  double slip[D - 1];             ///< at the end of the step, from where friction is zero
-  double stretch;                 ///< 1 + thermal strain
-  double lean;                    ///< cosine of half the angle between the normals of the ends
-  bool central;                   ///< no end can balance a couple: it acts along the line between
+  double weight;           ///< w
+  double stiffness;        ///< k_n
+  double shear_ratio;      ///< k_t/k_n
+  double fading[D - 1];    ///< derivatives of log k_n along the tangents; of pairs that press
+  double closing;          ///< velocity
+  double penetration;      ///< now
+  double predicted;        ///< at the end of the step; positive: active
+  double slip[D - 1];      ///< at the end of the step, from where friction is zero
+  double stretch;          ///< 1 + thermal strain
+  double lean;             ///< cosine of half the angle between the normals of the ends
+  bool central;            ///< no end can balance a couple: it acts along the line between
 };
 
 /// direction of F^-T N, of unit length; N itself where F is inside out
-template <int D>
-inline void carried_normal(const double *H, const double *N, double *n)
+template <int D> inline void carried_normal(const double *H, const double *N, double *n)
 {
   Matrix<D, double> F;
   for (int a = 0; a < D; a++)
@@ -104,8 +103,7 @@ inline void cross_product(const double *u, const double *v, double *w)
 /** Unit vectors in the plane across n. In 2-D n turned left; in 3-D any two across the reference
     normal N, carried along with the material: moved by F, they are taken to the nearest pair that
     is orthonormal (polar decomposition), which turns along with the pair that was chosen. */
-inline void tangents(const double *n, const double * /*H*/, const double * /*N*/,
-                     double (&t)[1][2])
+inline void tangents(const double *n, const double * /*H*/, const double * /*N*/, double (&t)[1][2])
 {
   t[0][0] = -n[1];
   t[0][1] = n[0];
@@ -228,8 +226,7 @@ inline double contact_force(const ContactLaw &law, const ContactPair &pair,
   double normal;
   hold_across(law, s.stiffness, q, frequency, 1, 0.0, &s.predicted, &s.closing, &normal);
   const double ratio = s.shear_ratio, limit = s.central ? 0.0 : pair.friction * normal;
-  const Friction<D - 1> friction =
-      hold_along<D - 1>(ratio * s.stiffness, ratio * q, limit, s.slip);
+  const Friction<D - 1> friction = hold_along<D - 1>(ratio * s.stiffness, ratio * q, limit, s.slip);
   heat += friction.work;
   for (int a = 0; a < D; a++) force[a] = normal * s.normal[a];
   // the stiffness of the paper's law is no spring's
@@ -296,11 +293,11 @@ inline ContactPast past_of_refitted(const ContactState<D> &before, const Contact
 {
   const auto least = [](double was, double is) { return was < is ? std::sqrt(was / is) : 1.0; };
   const bool pressed = before.penetration > 0.0;
-  const double overlap =
-      pressed ? before.penetration * least(before.stiffness, after.stiffness) : 0.0;
-  const double part = pressed ? least(before.shear_ratio * before.stiffness,
-                                      after.shear_ratio * after.stiffness)
-                              : 0.0;
+  const double overlap = pressed ? before.penetration * least(before.stiffness, after.stiffness)
+                                 : 0.0;
+  const double part = pressed
+      ? least(before.shear_ratio * before.stiffness, after.shear_ratio * after.stiffness)
+      : 0.0;
   ContactPast past = {{0.0, 0.0}, std::max(0.0, after.penetration - overlap)};
   for (int k = 0; k < D - 1; k++) {
     double slip = 0.0;

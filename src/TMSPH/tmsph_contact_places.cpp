@@ -65,8 +65,7 @@ std::vector<TMSPHContactPlaces::Place> TMSPHContactPlaces::places_of(const Guest
       points.push_back({atom->x[nodes[n]][0], atom->x[nodes[n]][1], 0.0});
     const WallPolyline line(points);
     WallTouch touch[2];
-    const int found =
-        line.touches({x[0], x[1], 0.0}, OUTLINE_REACH * outlines.coarsest, 1, touch);
+    const int found = line.touches({x[0], x[1], 0.0}, OUTLINE_REACH * outlines.coarsest, 1, touch);
     for (int t = 0; t < found; t++) {
       const int segment = touch[t].piece < count - 1 ? touch[t].piece
           : touch[t].piece == 2 * (count - 1)        ? count - 2
@@ -76,8 +75,8 @@ std::vector<TMSPHContactPlaces::Place> TMSPHContactPlaces::places_of(const Guest
       p.b = nodes[segment + 1];
       const Point &A = points[segment], &B = points[segment + 1];
       const double e[2] = {B[0] - A[0], B[1] - A[1]};
-      const double along = ((x[0] - A[0]) * e[0] + (x[1] - A[1]) * e[1]) /
-          (e[0] * e[0] + e[1] * e[1]);
+      const double along =
+          ((x[0] - A[0]) * e[0] + (x[1] - A[1]) * e[1]) / (e[0] * e[0] + e[1] * e[1]);
       p.along = touch[t].piece == 2 * (count - 1) ? 1.0
           : touch[t].piece >= count - 1           ? 0.0
                                                   : std::min(1.0, std::max(0.0, along));
@@ -102,9 +101,8 @@ std::vector<TMSPHContactPlaces::Place> TMSPHContactPlaces::places_of(const Guest
   const auto depth = [this](const Place &p) {
     return std::round((p.touching - p.distance) / (EQUALLY_DEEP * outlines.coarsest));
   };
-  std::stable_sort(places.begin(), places.end(), [&depth](const Place &p, const Place &q) {
-    return depth(p) > depth(q);
-  });
+  std::stable_sort(places.begin(), places.end(),
+                   [&depth](const Place &p, const Place &q) { return depth(p) > depth(q); });
   return places;
 }
 
@@ -131,16 +129,17 @@ void TMSPHContactPlaces::find(double dt)
     h.stiffness = 0.0;
     for (int n = 0; n < h.count; n++) {
       const Place &p = h.place[n];
-      const double spacing[2] = {bonds.spacing(i), (1.0 - p.along) * bonds.spacing(p.a) +
-                                                         p.along * bonds.spacing(p.b)};
+      const double spacing[2] = {
+          bonds.spacing(i), (1.0 - p.along) * bonds.spacing(p.a) + p.along * bonds.spacing(p.b)};
       const HalfCell cells[2] = {{plane_modulus(pair.elastic(i)), spacing[0]},
                                  {plane_modulus(pair.elastic(p.a)), spacing[1]}};
       const double between = 0.5 * (spacing[0] + spacing[1]);
       const double layer = std::max(p.touching, THINNEST * between);
-      const double spring = half_cells(cells, 2, scene.stiffness * between / layer,
-                                       p.touching - p.distance) * spacing[0];
-      h.stiffness = std::max(h.stiffness, scene.law.stiffness(spring, scene.stiffness,
-                                                              atom->rmass[i], update->dt));
+      const double spring =
+          half_cells(cells, 2, scene.stiffness * between / layer, p.touching - p.distance) *
+          spacing[0];
+      h.stiffness = std::max(
+          h.stiffness, scene.law.stiffness(spring, scene.stiffness, atom->rmass[i], update->dt));
     }
     for (int n = 0; n < h.count; n++) {
       double *where = rows[i] + Row::WHERE + n * Row::WHERE_SIZE;
@@ -185,8 +184,7 @@ double TMSPHContactPlaces::stiffness(int i) const
     for (int n = 0; n < held[guest].count; n++)
       if (held[guest].place[n].predicted > 0.0) sum += held[guest].stiffness;
   if (host >= 0)
-    at_host(outlines.hosts[host], [&sum](int, const double *where, const double *,
-                                         double weight) {
+    at_host(outlines.hosts[host], [&sum](int, const double *where, const double *, double weight) {
       sum += weight * where[Row::STIFFNESS];
     });
   return sum;
@@ -217,8 +215,7 @@ int TMSPHContactPlaces::node(const Guest &guest, tagint id) const
    @return false if its segment is not near any more
 ------------------------------------------------------------------------- */
 
-bool TMSPHContactPlaces::find_origin(const Guest &guest, const Anchor &anchor,
-                                     double *origin) const
+bool TMSPHContactPlaces::find_origin(const Guest &guest, const Anchor &anchor, double *origin) const
 {
   const int start = node(guest, anchor.start), end = node(guest, anchor.end);
   if (start < 0 || end < 0) return false;
@@ -243,8 +240,8 @@ void TMSPHContactPlaces::hold_one(const Guest &guest, const Held &h, double dt)
     const Place &p = h.place[n];
     predicted[n] = p.predicted;
     closing[n] = p.closing;
-    frequency = std::max(frequency, rows[i][Row::COMPLIANCE] +
-                             (1.0 - p.along) * rows[p.a][Row::COMPLIANCE] +
+    frequency = std::max(frequency,
+                         rows[i][Row::COMPLIANCE] + (1.0 - p.along) * rows[p.a][Row::COMPLIANCE] +
                              p.along * rows[p.b][Row::COMPLIANCE]);
   }
   step.q = step.ahead * step.ahead * frequency;
@@ -260,12 +257,10 @@ void TMSPHContactPlaces::hold_one(const Guest &guest, const Held &h, double dt)
     const Place &p = h.place[n];
     double *out = rows[i] + Row::FORCE + n * Row::FORCE_SIZE;
     std::fill_n(out, (int) Row::FORCE_SIZE, 0.0);
-    if (!(normal[n] > 0.0) && p.touching - p.distance < -EQUALLY_DEEP * outlines.coarsest)
-      continue;
+    if (!(normal[n] > 0.0) && p.touching - p.distance < -EQUALLY_DEEP * outlines.coarsest) continue;
     double origin[2] = {atom->x[i][0], atom->x[i][1]};
-    const int which = anchor_for(memory.anchors.size(), taken.data(), h.count, [&](int m) {
-      return memory.anchors[m].start == atom->tag[p.a];
-    });
+    const int which = anchor_for(memory.anchors.size(), taken.data(), h.count,
+                                 [&](int m) { return memory.anchors[m].start == atom->tag[p.a]; });
     if (which >= 0 && find_origin(guest, memory.anchors[which], origin)) taken[which] = 1;
     anchors.push_back(rub(i, p, step, normal[n], origin, out));
   }
@@ -292,8 +287,11 @@ TMSPHContactPlaces::Anchor TMSPHContactPlaces::rub(int i, const Place &p, const 
     const auto relative = [&](int column) {
       return mine[column + c] - (1.0 - p.along) * a[column + c] - p.along * b[column + c];
     };
-    slip += tangent[c] * (x[c] - origin[c] + step.ahead *
-        (relative(Row::V) + step.ahead * (relative(Row::A) + step.pushed[c] / atom->rmass[i])));
+    slip += tangent[c] *
+        (x[c] - origin[c] +
+         step.ahead *
+             (relative(Row::V) +
+              step.ahead * (relative(Row::A) + step.pushed[c] / atom->rmass[i])));
   }
   const double ratio = scene.law.shear_ratio(TANGENTIAL);
   const double spacing = scene.bonds->spacing(i);
@@ -361,8 +359,9 @@ void TMSPHContactPlaces::keep_touches(int i, TMSPHContactMemory &memory) const
   const auto keep = [&](tagint partner, int guest, double weight, const double *force) {
     if (!(force[Row::NORMAL] > 0.0) || weight == 0.0) return;
     const double area = atom->vfrac[guest] / scene.bonds->spacing(guest);
-    memory.pressed.push_back({partner, weight * area * scene.bonds->interior_kappa() /
-                                           (2.0 * force[Row::TOUCHING]), force[Row::TOUCHING]});
+    memory.pressed.push_back(
+        {partner, weight * area * scene.bonds->interior_kappa() / (2.0 * force[Row::TOUCHING]),
+         force[Row::TOUCHING]});
     memory.rubbed += 0.5 * weight * force[Row::HEAT];
   };
   const int guest = outlines.guest_of[i], host = outlines.host_of[i];
@@ -378,8 +377,9 @@ void TMSPHContactPlaces::keep_touches(int i, TMSPHContactMemory &memory) const
       keep(atom->tag[j], j, weight, force);
     });
   if (memory.pressed.size() > Row::MOST_PRESSED)
-    error->one(FLERR, "Particle {} is touched by {} others: method segment of fix tmsph/contact "
-                      "passes heat to at most {}; use method kernel or closer spacings",
+    error->one(FLERR,
+               "Particle {} is touched by {} others: method segment of fix tmsph/contact "
+               "passes heat to at most {}; use method kernel or closer spacings",
                atom->tag[i], memory.pressed.size(), Row::MOST_PRESSED);
   std::stable_sort(memory.pressed.begin(), memory.pressed.end(),
                    [](const Pressed &p, const Pressed &q) { return p.partner < q.partner; });

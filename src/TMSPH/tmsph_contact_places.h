@@ -31,8 +31,9 @@ class TMSPHContactPlaces : protected Pointers {
   TMSPHContactPlaces(class LAMMPS *lmp, const TMSPHContactScene &scene,
                      TMSPHContactMemories &memories, const TMSPHContactOutlines &outlines,
                      TMSPHGhostRows &rows, TMSPHGhostSender &ghosts, TMSPHContactTotals &totals) :
-      Pointers(lmp), scene(scene), memories(memories), outlines(outlines), rows(rows),
-      ghosts(ghosts), totals(totals)
+      Pointers(lmp),
+      scene(scene), memories(memories), outlines(outlines), rows(rows), ghosts(ghosts),
+      totals(totals)
   {
   }
   /// where particles touch, as they are and at the end of the step (collective)
@@ -50,11 +51,11 @@ class TMSPHContactPlaces : protected Pointers {
  private:
   /** Where a particle touches the outline of another body. */
   struct Place {
-    int a, b;              // ends of the segment
-    double along;          // weight of b, 1 less that of a
-    double normal[2];      // towards the particle
-    double distance;       // from the line through the centres; negative behind it
-    double touching;       // the same when the surfaces just touch
+    int a, b;            // ends of the segment
+    double along;        // weight of b, 1 less that of a
+    double normal[2];    // towards the particle
+    double distance;     // from the line through the centres; negative behind it
+    double touching;     // the same when the surfaces just touch
     double predicted, closing;
   };
   /** All of a guest of the outlines. */
@@ -65,9 +66,9 @@ class TMSPHContactPlaces : protected Pointers {
   };
   /** What the places of a particle have in common in a step. */
   struct Step {
-    double ahead;          // time
-    double k, q;           // stiffness, and k ahead^2/m_eff
-    double pushed[2];      // by the normal forces of all of them
+    double ahead;        // time
+    double k, q;         // stiffness, and k ahead^2/m_eff
+    double pushed[2];    // by the normal forces of all of them
   };
   using Guest = TMSPHContactOutlines::Guest;
   using Host = TMSPHContactOutlines::Host;

@@ -23,14 +23,14 @@ struct TMSPHContactScene {
 
   PairTMSPH *pair = nullptr;
   FixTMSPHBond *bonds = nullptr;
-  std::string id;                                  // of the fix
+  std::string id;    // of the fix
   int groupbit = 0;
-  bool segments = false;                           // bodies touch at their outlines, else in pairs
-  bool rough_faces = true;                         // those of cracks and cuts have friction too
-  bool self = true;                                // they touch
+  bool segments = false;      // bodies touch at their outlines, else in pairs
+  bool rough_faces = true;    // those of cracks and cuts have friction too
+  bool self = true;           // they touch
   TMSPH::ContactLaw law = TMSPH::CONTACT_LAWS[0];
-  double stiffness = 1.0;                          // factor to the default
-  std::vector<std::vector<double>> friction;       // by type and type
+  double stiffness = 1.0;                       // factor to the default
+  std::vector<std::vector<double>> friction;    // by type and type
 
   /// bit 1<<state for each state of a family that contact in pairs sees to
   unsigned states() const

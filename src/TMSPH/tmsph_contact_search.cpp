@@ -76,9 +76,12 @@ int TMSPHContactSearch::part()
         memory.records[e.place].parted = true;
     }
     if (gone.empty()) continue;
-    memory.met.erase(std::remove_if(memory.met.begin(), memory.met.end(), [&](const Met &one) {
-      return std::find(gone.begin(), gone.end(), one.partner) != gone.end();
-    }), memory.met.end());
+    memory.met.erase(std::remove_if(memory.met.begin(), memory.met.end(),
+                                    [&](const Met &one) {
+                                      return std::find(gone.begin(), gone.end(), one.partner) !=
+                                          gone.end();
+                                    }),
+                     memory.met.end());
   }
   return parted;
 }
@@ -131,8 +134,7 @@ bool TMSPHContactSearch::face(int low, int high, const TMSPHGhostRows &rows,
     r2 += d * d;
   }
   for (int a = 0; a < D; a++)
-    pair.normal_low[a] = pair.normal_high[a] =
-        (atom->x[high][a] - atom->x[low][a]) / std::sqrt(r2);
+    pair.normal_low[a] = pair.normal_high[a] = (atom->x[high][a] - atom->x[low][a]) / std::sqrt(r2);
   return true;
 }
 
@@ -140,8 +142,7 @@ bool TMSPHContactSearch::face(int low, int high, const TMSPHGhostRows &rows,
    local particle i remembers j if their surfaces face each other within the horizon
 ------------------------------------------------------------------------- */
 
-template <int D>
-bool TMSPHContactSearch::meet_pair(int i, int j, const TMSPHGhostRows &rows)
+template <int D> bool TMSPHContactSearch::meet_pair(int i, int j, const TMSPHGhostRows &rows)
 {
   using Row = SearchRow<D>;
   static constexpr double REST[3] = {};
@@ -198,8 +199,7 @@ template <int D> int TMSPHContactSearch::meet(const TMSPHGhostRows &rows)
   const Cells cells(atom->x, candidates, scene.pair->horizon());
   int met = 0;
   for (const int i : candidates)
-    if (i < atom->nlocal)
-      cells.near(atom->x[i], [&](int j) { met += meet_pair<D>(i, j, rows); });
+    if (i < atom->nlocal) cells.near(atom->x[i], [&](int j) { met += meet_pair<D>(i, j, rows); });
   for (int n = 0; n < memories.count(); n++)
     std::sort(memories[n].met.begin(), memories[n].met.end(),
               [](const Met &a, const Met &b) { return a.partner < b.partner; });

@@ -23,8 +23,8 @@ class TMSPHContactSearch : protected Pointers {
   TMSPHContactSearch(class LAMMPS *lmp, const TMSPHContactScene &scene, TMSPHContactList &list,
                      TMSPHContactMemories &memories, TMSPHContactSurfaces &surfaces,
                      TMSPHGhostSender &ghosts) :
-      Pointers(lmp), scene(scene), list(list), memories(memories), surfaces(surfaces),
-      ghosts(ghosts)
+      Pointers(lmp),
+      scene(scene), list(list), memories(memories), surfaces(surfaces), ghosts(ghosts)
   {
   }
   /// in this step?
@@ -38,10 +38,7 @@ class TMSPHContactSearch : protected Pointers {
 
   /// for restarts
   static constexpr int SIZE = 3;
-  std::array<double, SIZE> plan() const
-  {
-    return {ubuf(last_step).d, ubuf(next_step).d, step_dt};
-  }
+  std::array<double, SIZE> plan() const { return {ubuf(last_step).d, ubuf(next_step).d, step_dt}; }
   void take_plan(const double *p)
   {
     last_step = (bigint) ubuf(p[0]).i;

@@ -28,13 +28,16 @@ void TMSPHContactSurfaces::init()
   watch.forget();
   regions.clear();
   if (scene.segments && !region_ids.empty())
-    error->all(FLERR, "Fix tmsph/contact surface is for method kernel: method segment takes the "
-                      "outlines of the bodies");
+    error->all(FLERR,
+               "Fix tmsph/contact surface is for method kernel: method segment takes the "
+               "outlines of the bodies");
   for (const std::string &name : region_ids) {
     Region *region = domain->get_region_by_id(name);
     if (!region)
-      error->all(FLERR, "Region {} of fix tmsph/contact surface does not exist: define it with the "
-                        "command region", name);
+      error->all(FLERR,
+                 "Region {} of fix tmsph/contact surface does not exist: define it with the "
+                 "command region",
+                 name);
     if (region->dynamic || region->varshape)
       error->all(FLERR,
                  "Region {} of fix tmsph/contact surface moves: give the surface of a body in "

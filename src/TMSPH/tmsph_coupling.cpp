@@ -129,8 +129,7 @@ Matrix<D, double> TMSPHCoupling::find_force(Crossing &one, const double *kinemat
     for (int k = 0; k < D; k++) X[k] = there[R::X + k] - here[R::X + k];
     for (int a = 0; a < D; a++) {
       double r = there[R::U + a] - here[R::U + a];
-      for (int b = 0; b < D; b++)
-        r -= (si * mine[D * a + b] + sj * his[D * a + b]) * X[b];
+      for (int b = 0; b < D; b++) r -= (si * mine[D * a + b] + sj * his[D * a + b]) * X[b];
       const double t = bond.stiffness * r;
       bond.force[a] = t;
       one.force[a] += t;
@@ -146,8 +145,7 @@ Matrix<D, double> TMSPHCoupling::find_force(Crossing &one, const double *kinemat
 
 template <int D>
 void TMSPHCoupling::find_forces(const FixTMSPHBond &bonds, ThermalStrain thermal,
-                                const double *kinematic, const double *gradients,
-                                double *force_row)
+                                const double *kinematic, const double *gradients, double *force_row)
 {
   using R = Rows<D>;
   const bool bond_mode = thermal == ThermalStrain::BOND;

@@ -22,9 +22,10 @@ namespace LAMMPS_NS {
 
 class TMSPHCoupling : protected Pointers {
  public:
-  TMSPHCoupling(class LAMMPS *lmp, const TMSPHMaterials &materials,
-                const TMSPHAveraging &averaging, TMSPHGhostSender &ghosts) :
-      Pointers(lmp), materials(materials), averaging(averaging), ghosts(ghosts)
+  TMSPHCoupling(class LAMMPS *lmp, const TMSPHMaterials &materials, const TMSPHAveraging &averaging,
+                TMSPHGhostSender &ghosts) :
+      Pointers(lmp),
+      materials(materials), averaging(averaging), ghosts(ghosts)
   {
   }
   /// after that of averaging
@@ -69,10 +70,8 @@ class TMSPHCoupling : protected Pointers {
   TMSPHGhostRows rows;    // [D*D + 1] G and the depth; 0: no gradient
 
   void update(const FixTMSPHBond &, Crossing &) const;
-  template <int D>
-  void fill_rows(const FixTMSPHBond &, bool bond_mode, const double *gradients);
-  template <int D>
-  TMSPH::Matrix<D, double> find_force(Crossing &, const double *kinematic) const;
+  template <int D> void fill_rows(const FixTMSPHBond &, bool bond_mode, const double *gradients);
+  template <int D> TMSPH::Matrix<D, double> find_force(Crossing &, const double *kinematic) const;
 };
 
 }    // namespace LAMMPS_NS

@@ -30,9 +30,9 @@ namespace TMSPH {
 /** A constant of a rock, as users give it. */
 struct CriterionWord {
   const char *name;
-  double standard;                   ///< value without the word; REQUIRED: it must be given
+  double standard;    ///< value without the word; REQUIRED: it must be given
   bool (*allows)(double value);
-  const char *rule;                  ///< what allows() asks, for the error
+  const char *rule;    ///< what allows() asks, for the error
 };
 
 constexpr double REQUIRED = HUGE_VAL;

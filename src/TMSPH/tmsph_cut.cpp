@@ -62,8 +62,8 @@ void TMSPHCut::command(int narg, char **arg)
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (comm->me == 0) {
     utils::logmesg(lmp, "Cut {} bonds\n", all / 2);
-    if (all == 0) error->warning(FLERR, "The flaw of tmsph/cut crosses no intact bond of group {}",
-                                 arg[0]);
+    if (all == 0)
+      error->warning(FLERR, "The flaw of tmsph/cut crosses no intact bond of group {}", arg[0]);
   }
 }
 

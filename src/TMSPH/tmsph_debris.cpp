@@ -74,8 +74,7 @@ void TMSPHDebris::list_candidates(const NeighList &list, double neighbor_skin,
     const int i = list.ilist[ii];
     for (int jj = 0; jj < list.numneigh[i]; jj++) {
       const int j = list.firstneigh[i][jj] & NEIGHMASK;
-      if (may_touch(i, j) && !left_out(bonds.state_with(i, atom->tag[j])) &&
-          make(i, j, bonds, c))
+      if (may_touch(i, j) && !left_out(bonds.state_with(i, atom->tag[j])) && make(i, j, bonds, c))
         candidates.push_back(c);
     }
   }

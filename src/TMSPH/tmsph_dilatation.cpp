@@ -34,11 +34,9 @@ template <int D> void average_sweep(const Slices &bonds, const double *value, do
     Lanes sum = broadcast(0.0);
     for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
       const size_t at = (size_t) b * LANES;
-      sum += load(bonds.averaging.data() + at) *
-          (gather(value, bonds.partner.data() + at) - mine);
+      sum += load(bonds.averaging.data() + at) * (gather(value, bonds.partner.data() + at) - mine);
     }
-    const Lanes volume =
-        load(bonds.own.data() + ((size_t) q * CONSTANTS<D> + SYMMETRIC<D>) * LANES);
+    const Lanes volume = load(bonds.own.data() + ((size_t) q * CONSTANTS<D> + SYMMETRIC<D>) *LANES);
     const Lanes result = mine + sum / volume;
     for (int l = 0; l < bonds.valid[q]; l++) mean[particle[l]] = result[l];
   }
@@ -52,8 +50,7 @@ template <int D> void add_pressure(double q, const double *H, const double *own,
     for (int b = 0; b < D; b++) force_row[Rows<D>::B + a * D + b] += volume * q * FK[a][b];
 }
 
-template <int D>
-void add_pressure_stress(double q, const double *H, double stretch, double *stress)
+template <int D> void add_pressure_stress(double q, const double *H, double stretch, double *stress)
 {
   const Matrix<D, double> F = deformation_of<D>(H);
   const double J = determinant(F);

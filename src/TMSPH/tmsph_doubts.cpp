@@ -59,7 +59,8 @@ static std::string doubtful_material(LAMMPS *lmp, const TMSPHMaterials &material
                          m.density, unit.density);
     if (unit.meters_per_second > 0.0 && std::fabs(m.expansion) > MOST_EXPANSION)
       return fmt::format("No solid expands by {} per degree as type {}: give its coefficient of "
-                         "linear expansion per degree, 1e-5 for rock", m.expansion, type);
+                         "linear expansion per degree, 1e-5 for rock",
+                         m.expansion, type);
   }
   return "";
 }
@@ -108,9 +109,9 @@ static std::string doubtful_horizon(LAMMPS *lmp, const TMSPHMaterials &materials
     const bool shorter = own < SHORTEST_HORIZON * spacing;
     if (!shorter && own < LONGEST_HORIZON * spacing) continue;
     return fmt::format("The horizon {:.4g} of type {} is {:.3g} spacings, which makes {}: give {} "
-                       "of them, {:.4g}", own, type, own / spacing,
-                       shorter ? "strains inexact" : "surfaces too soft", USUAL_HORIZON,
-                       USUAL_HORIZON * spacing);
+                       "of them, {:.4g}",
+                       own, type, own / spacing, shorter ? "strains inexact" : "surfaces too soft",
+                       USUAL_HORIZON, USUAL_HORIZON * spacing);
   }
   return "";
 }
@@ -131,7 +132,8 @@ static std::string doubtful_volume(LAMMPS *lmp, const TMSPHInventory &inventory,
     const double ratio = t.volume / (t.particles * t.cell);
     if (domain->dimension == 3 && (ratio < LEAST_VOLUME || ratio > MOST_VOLUME))
       return fmt::format("Volumes of type {} are {:.3g} times the cube of the spacing: give that, "
-                         "about {:.3g}, with 'set type {} volume'", type, ratio, t.cell, type);
+                         "about {:.3g}, with 'set type {} volume'",
+                         type, ratio, t.cell, type);
     if (domain->dimension == 2 && thickness != 1.0 &&
         (thickness > THICKEST * size || thickness < THINNEST * t.spacing))
       return fmt::format("Volumes of particles make the body {:.3g} thick: in 2-D they are area "
@@ -159,7 +161,8 @@ static std::string doubtful_place(LAMMPS *lmp, const TMSPHInventory &inventory)
   const double unit = std::nextafter(farthest, HUGE_VAL) - farthest;
   if (!(unit > POSITION_LOSS * spacing)) return "";
   return fmt::format("Positions of {:.3g} are rounded to {:.1g} of the spacing: put the body near "
-                     "the origin", farthest, unit / spacing);
+                     "the origin",
+                     farthest, unit / spacing);
 }
 
 /* ---------------------------------------------------------------------- */

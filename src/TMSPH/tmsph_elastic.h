@@ -15,10 +15,10 @@ enum class Plane { STRAIN, STRESS };
 /** Constants of one isotropic material in the state the body is in.
     In 3-D and plane strain lambda is Lame's constant; in plane stress E nu/(1 - nu^2). */
 struct Elastic {
-  double young = 0.0, poisson = 0.0;     ///< stress, -
-  double lambda = 0.0, shear = 0.0;      ///< stress; lambda is that of the plane state
-  double expansion = 0.0;                ///< in-plane thermal strain per degree, alpha*
-  double wave_modulus = 0.0;             ///< lambda + 2 mu of 3-D: rho c_p^2
+  double young = 0.0, poisson = 0.0;    ///< stress, -
+  double lambda = 0.0, shear = 0.0;     ///< stress; lambda is that of the plane state
+  double expansion = 0.0;               ///< in-plane thermal strain per degree, alpha*
+  double wave_modulus = 0.0;            ///< lambda + 2 mu of 3-D: rho c_p^2
 };
 
 /** @param alpha linear expansion coefficient per degree.
@@ -195,8 +195,7 @@ template <int D, class T> inline T hooke_energy(const Matrix<D, T> &e, T lambda,
 }
 
 /// Cauchy stress P F^T / J
-template <int D, class T>
-inline Matrix<D, T> cauchy(const Matrix<D, T> &P, const Matrix<D, T> &F)
+template <int D, class T> inline Matrix<D, T> cauchy(const Matrix<D, T> &P, const Matrix<D, T> &F)
 {
   Matrix<D, T> sigma = product_transposed(P, F);
   const T scale = 1.0 / determinant(F);

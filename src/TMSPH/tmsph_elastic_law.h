@@ -76,8 +76,7 @@ struct NeoHookean {
       }
     return P;
   }
-  template <int D, class T>
-  static T energy(const Matrix<D, T> &whole, T lambda, T shear, T thermal)
+  template <int D, class T> static T energy(const Matrix<D, T> &whole, T lambda, T shear, T thermal)
   {
     const Matrix<D, T> H = elastic(whole, thermal);
     T square = 0.0 * thermal, trace = square;
@@ -97,8 +96,7 @@ struct NeoHookean {
     const T shrink = 1.0 / (1.0 + thermal);
     Matrix<D, T> result;
     for (int i = 0; i < D; i++)
-      for (int k = 0; k < D; k++)
-        result[i][k] = shrink * (i == k ? H[i][k] - thermal : H[i][k]);
+      for (int k = 0; k < D; k++) result[i][k] = shrink * (i == k ? H[i][k] - thermal : H[i][k]);
     return result;
   }
 };

@@ -32,6 +32,5 @@ void TMSPHFaces::provide(LAMMPS *lmp)
   const bool given = modify->get_fix_by_style("^tmsph/contact$").size() > (own ? 1u : 0u);
   const bool wanted = !given && possible(lmp);
   if (own && !wanted) modify->delete_fix(ID);
-  if (!own && wanted)
-    modify->add_fix(std::string(ID) + " all tmsph/contact")->thermo_energy = 1;
+  if (!own && wanted) modify->add_fix(std::string(ID) + " all tmsph/contact")->thermo_energy = 1;
 }

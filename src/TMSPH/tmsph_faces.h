@@ -21,15 +21,15 @@ struct TMSPHOpensBonds {
 };
 
 namespace TMSPHFaces {
-  /// id of the fix tmsph/contact that provide() defines
-  constexpr const char *ID = "TMSPH_FACES";
+/// id of the fix tmsph/contact that provide() defines
+constexpr const char *ID = "TMSPH_FACES";
 
-  /// true if bonds may open
-  bool possible(LAMMPS *);
+/// true if bonds may open
+bool possible(LAMMPS *);
 
-  /** In the init of the pair style: where faces are possible and the input has no fix tmsph/contact
+/** In the init of the pair style: where faces are possible and the input has no fix tmsph/contact
       there is one without friction, whose energy is counted with that of the pair style. */
-  void provide(LAMMPS *);
+void provide(LAMMPS *);
 }    // namespace TMSPHFaces
 
 }    // namespace LAMMPS_NS

@@ -70,20 +70,20 @@ class TMSPHFamilies {
   void clear_row(int i);
   int pack_row(int i, double *buf) const;
   int unpack_row(int i, const double *buf, int nmax);
-  int row_size(int i) const;     // doubles that pack_row() writes,
-  int most_of_row() const;       // and at most
+  int row_size(int i) const;    // doubles that pack_row() writes,
+  int most_of_row() const;      // and at most
   double bytes_of_rows() const;
   /// names of what is carried, for the global part of a restart file
   std::vector<double> list_carried() const;
   void take_carried(const char *list, int nmax);
 
  private:
-  int maxpartner = 1;                    // length of the rows
-  std::vector<int> npartner;             // bonds at formation, less those of deleted particles
-  std::vector<tagint> partner;           // [nmax][maxpartner] ids, ascending
-  std::vector<unsigned char> state;      // [nmax][maxpartner]
-  std::vector<tagint> own_tag;           // id of the particle at the last setup
-  std::vector<tagint> first_tag;         // id when its bonds formed: it draws the random numbers
+  int maxpartner = 1;                  // length of the rows
+  std::vector<int> npartner;           // bonds at formation, less those of deleted particles
+  std::vector<tagint> partner;         // [nmax][maxpartner] ids, ascending
+  std::vector<unsigned char> state;    // [nmax][maxpartner]
+  std::vector<tagint> own_tag;         // id of the particle at the last setup
+  std::vector<tagint> first_tag;       // id when its bonds formed: it draws the random numbers
   std::vector<std::unique_ptr<TMSPHParticleValues>> of_particles;
   std::vector<std::unique_ptr<TMSPHBondValues>> of_bonds;
 

@@ -29,7 +29,7 @@ inline double fixed_point_scale(double bound)
 inline std::int64_t fixed_point_dot(int n, const double *a, const double *b, double scale)
 {
   std::int64_t sum = 0;
-  for (int i = 0; i < n; i++) sum += (std::int64_t) (a[i] * b[i] * scale);
+  for (int i = 0; i < n; i++) sum += (std::int64_t)(a[i] * b[i] * scale);
   return sum;
 }
 

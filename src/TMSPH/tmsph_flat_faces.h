@@ -66,8 +66,8 @@ class TMSPHFlatFaces : protected Pointers {
   const FixTMSPHBond *bonds = nullptr;
   const TMSPHBondUser *user = nullptr;
   bool faced = false;
-  std::vector<int> face_row;       // [nmax] of local and ghost particles near faces, or NONE
-  std::vector<double> rows;        // [row][dimension][layer_size()]
+  std::vector<int> face_row;    // [nmax] of local and ghost particles near faces, or NONE
+  std::vector<double> rows;     // [row][dimension][layer_size()]
 
   int row_size() const;
   const double *row(int i) const

@@ -14,9 +14,9 @@ namespace LAMMPS_NS {
 
 /** Heat that one particle exchanges with what is outside the body. */
 struct TMSPHHeatExchange {
-  int i;                         ///< local index
-  double conductance, outside;   ///< power conductance (outside - T_i)
-  double power;                  ///< and what does not depend on T_i
+  int i;                          ///< local index
+  double conductance, outside;    ///< power conductance (outside - T_i)
+  double power;                   ///< and what does not depend on T_i
 };
 
 struct TMSPHHeatBoundary {

@@ -22,7 +22,7 @@ class TMSPHParticipants;
 class TMSPHHeatContacts : protected Pointers {
  public:
   struct Bridge {
-    int i, j;              ///< a local particle, and a local or ghost one
+    int i, j;    ///< a local particle, and a local or ghost one
     double conductance;
   };
 

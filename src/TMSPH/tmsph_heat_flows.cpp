@@ -23,8 +23,8 @@ using namespace LAMMPS_NS;
 TMSPHHeatFlows::TMSPHHeatFlows(LAMMPS *lmp, const TMSPHHeatMaterials &given,
                                TMSPHHeatNetwork &bonds, TMSPHHeatContacts &touching,
                                TMSPHHeatSources &inside, TMSPHGhostSender &sender) :
-    Pointers(lmp), materials(given), network(bonds), contacts(touching), sources(inside),
-    ghosts(sender)
+    Pointers(lmp),
+    materials(given), network(bonds), contacts(touching), sources(inside), ghosts(sender)
 {
 }
 

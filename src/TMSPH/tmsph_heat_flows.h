@@ -81,7 +81,7 @@ class TMSPHHeatFlows : protected Pointers {
   std::vector<TMSPHHeatExchange> exchanges;
   std::vector<int> first_exchange;    // of each boundary, then of friction
   static constexpr int NOT_HELD = -1;
-  std::vector<int> held;              // [nlocal] boundary that gives the temperature, or NOT_HELD
+  std::vector<int> held;    // [nlocal] boundary that gives the temperature, or NOT_HELD
   std::vector<double> powers;
   double stable = 0.0;
   bigint applied = 0;

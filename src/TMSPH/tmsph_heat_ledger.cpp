@@ -21,8 +21,7 @@ void TMSPHHeatLedger::open(const std::vector<TMSPHHeatBoundary *> &present)
   const bool restarted = ids.empty() && accounts.size() == opened.size();
   for (size_t a = 0; a + 1 < accounts.size(); a++) {
     size_t b = restarted ? a : 0;
-    while (!restarted && b < size &&
-           !(present[b]->has_account && present[b]->fix().id == ids[a]))
+    while (!restarted && b < size && !(present[b]->has_account && present[b]->fix().id == ids[a]))
       b++;
     if (b < size)
       opened[b] = accounts[a];
@@ -123,7 +122,7 @@ const double *TMSPHHeatLedger::take_from(const double *list)
 {
   const bool mine = comm->me == 0;
   former_energy = mine ? *list : 0.0;
-  accounts.assign((size_t) *++list, TMSPHHeatAccount());
+  accounts.assign((size_t) * ++list, TMSPHHeatAccount());
   list++;
   for (TMSPHHeatAccount &account : accounts) {
     if (mine) account = {list[0], list[1]};

@@ -59,7 +59,7 @@ class TMSPHHeatLedger : protected Pointers {
   std::vector<const TMSPHHeatBoundary *> boundaries;
   std::vector<std::string> ids;    // of these; none after a restart
   std::vector<TMSPHHeatAccount> accounts;
-  double former_energy = 0.0;      // of boundaries that are gone
+  double former_energy = 0.0;    // of boundaries that are gone
 
   int find(const TMSPHHeatBoundary *) const;
   double total(bool of_sources, double TMSPHHeatAccount::*what, double mine) const;

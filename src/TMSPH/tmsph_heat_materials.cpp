@@ -95,8 +95,9 @@ void TMSPHHeatMaterials::read_tensor(TMSPHValues &given, Material &m) const
   else
     for (int k = 0; k < 3; k++) axis[k] = given.number();
   if (!(axis.norm() > 0.0))
-    error->all(FLERR, "The axis by which the principal directions of fix tmsph/heat conductivity "
-                      "orthotropic turn has no length: for no turn use 0 0 1 0");
+    error->all(FLERR,
+               "The axis by which the principal directions of fix tmsph/heat conductivity "
+               "orthotropic turn has no length: for no turn use 0 0 1 0");
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(given.number() * MathConst::DEG2RAD, axis.normalized()).toRotationMatrix();
   const Eigen::Matrix3d K = turn * values.asDiagonal() * turn.transpose();
@@ -182,7 +183,6 @@ double TMSPHHeatMaterials::enthalpy(int i, double temperature) const
 double TMSPHHeatMaterials::content() const
 {
   double sum = 0.0;
-  for (int i = 0; i < atom->nlocal; i++)
-    sum += atom->rmass[i] * enthalpy(i, atom->temperature[i]);
+  for (int i = 0; i < atom->nlocal; i++) sum += atom->rmass[i] * enthalpy(i, atom->temperature[i]);
   return sum;
 }

@@ -39,10 +39,7 @@ class TMSPHHeatMaterials : protected Pointers {
   }
 
   /// of a local or ghost particle at its temperature
-  double conductivity_of(int i) const
-  {
-    return conductivity(atom->type[i])(atom->temperature[i]);
-  }
+  double conductivity_of(int i) const { return conductivity(atom->type[i])(atom->temperature[i]); }
   /// the same along a direction of unit length
   double conductivity_of(int i, const double *direction) const;
   /// energy per mass

@@ -21,7 +21,8 @@ using namespace TMSPH;
 
 TMSPHHeatNetwork::TMSPHHeatNetwork(LAMMPS *lmp, const TMSPHHeatMaterials &given,
                                    TMSPHGhostSender &sender) :
-    Pointers(lmp), materials(given), ghosts(sender), norms_of_bonds(lmp), flat_faces(lmp, sender),
+    Pointers(lmp),
+    materials(given), ghosts(sender), norms_of_bonds(lmp), flat_faces(lmp, sender),
     balance(lmp, norms_of_bonds, sender),
     body_surface(lmp, norms_of_bonds, flat_faces, balance, sender), calibrated(atom->ntypes + 1)
 {
@@ -197,8 +198,7 @@ void TMSPHHeatNetwork::drop_conductances()
   const Slices &slices = bonds->layout();
   for (int i = 0; i < atom->nlocal; i++)
     for (int n = 0; n < bonds->count(i); n++)
-      if (bonds->bond_state(i, n) != FixTMSPHBond::INTACT)
-        conductances[slices.at(i, n)] = 0.0f;
+      if (bonds->bond_state(i, n) != FixTMSPHBond::INTACT) conductances[slices.at(i, n)] = 0.0f;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -23,8 +23,7 @@ static constexpr double SMALL_STEP = 0.1;
 
 /* ---------------------------------------------------------------------- */
 
-TMSPHHeatStepper::TMSPHHeatStepper(LAMMPS *lmp, TMSPHHeatFlows &equation,
-                                   TMSPHHeatLedger &books) :
+TMSPHHeatStepper::TMSPHHeatStepper(LAMMPS *lmp, TMSPHHeatFlows &equation, TMSPHHeatLedger &books) :
     Pointers(lmp), flows(equation), ledger(books)
 {
 }
@@ -94,8 +93,10 @@ void TMSPHHeatStepper::attempt(double duration)
   }
   MPI_Allreduce(&mine, &change, 1, MPI_DOUBLE, MPI_MAX, world);
   if (!std::isfinite(change))
-    error->all(FLERR, "A temperature of fix tmsph/heat is no number any more on step {}: check the "
-                      "values given to its boundaries and sources", update->ntimestep);
+    error->all(FLERR,
+               "A temperature of fix tmsph/heat is no number any more on step {}: check the "
+               "values given to its boundaries and sources",
+               update->ntimestep);
   fastest = change / duration;
 }
 

@@ -46,8 +46,8 @@ struct HoekBrown {
 
   bool fails(const Principals &p, double strength) const
   {
-    const double difference = p.largest - p.smallest;            // S1 - S3
-    const double bracket = s - mb * p.largest / strength;        // S3 = -largest
+    const double difference = p.largest - p.smallest;        // S1 - S3
+    const double bracket = s - mb * p.largest / strength;    // S3 = -largest
     if (bracket <= 0.0) return true;
     if (a == 0.5) return difference * difference >= strength * strength * bracket;
     return difference >= strength * std::pow(bracket, a);

@@ -20,8 +20,8 @@ class TMSPHInventory : protected Pointers {
   struct Type {
     bigint particles = 0;
     std::array<double, 5> material{};
-    double volume = 0.0;                    // of all of them
-    double spacing = 0.0, cell = 0.0;       // means of nearest distances, of d-th powers
+    double volume = 0.0;                 // of all of them
+    double spacing = 0.0, cell = 0.0;    // means of nearest distances, of d-th powers
   };
 
   explicit TMSPHInventory(class LAMMPS *lmp) : Pointers(lmp) {}

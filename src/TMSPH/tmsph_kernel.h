@@ -79,18 +79,23 @@ struct QuinticSpline {
   }
   static double value(double scale, double q)
   {
-    return scale * (positive_power(3.0 - q, 5) - 6.0 * positive_power(2.0 - q, 5) +
-                    15.0 * positive_power(1.0 - q, 5));
+    return scale *
+        (positive_power(3.0 - q, 5) - 6.0 * positive_power(2.0 - q, 5) +
+         15.0 * positive_power(1.0 - q, 5));
   }
   static double slope(double scale, double q)
   {
-    return scale * (5.0 * (positive_power(3.0 - q, 4) - 6.0 * positive_power(2.0 - q, 4) +
-                           15.0 * positive_power(1.0 - q, 4)));
+    return scale *
+        (5.0 *
+         (positive_power(3.0 - q, 4) - 6.0 * positive_power(2.0 - q, 4) +
+          15.0 * positive_power(1.0 - q, 4)));
   }
   static double curvature(double scale, double q)
   {
-    return scale * (-20.0 * (positive_power(3.0 - q, 3) - 6.0 * positive_power(2.0 - q, 3) +
-                             15.0 * positive_power(1.0 - q, 3)));
+    return scale *
+        (-20.0 *
+         (positive_power(3.0 - q, 3) - 6.0 * positive_power(2.0 - q, 3) +
+          15.0 * positive_power(1.0 - q, 3)));
   }
 };
 
@@ -135,8 +140,7 @@ inline double kernel_slope_rate(const Kernel &kernel, int dimension, double R, d
       [=](auto shape) {
         const double h = delta / shape.SUPPORT, norm = shape.norm(dimension);
         const double length = dimension == 2 ? h * h : h * h * h;
-        return (shape.curvature(norm, R / h) / h - shape.slope(norm, R / h) / R) /
-            (length * h * R);
+        return (shape.curvature(norm, R / h) / h - shape.slope(norm, R / h) / R) / (length * h * R);
       },
       kernel);
 }

@@ -64,8 +64,8 @@ static std::pair<int, std::string> place_of(LAMMPS *lmp, int n)
     for (int m = n + 1; m < modify->nfix; m++) {
       const Fix *const later = modify->fix[m];
       if ((modify->fmask[m] & acts_on_forces) && !prescribes(later) &&
-          !utils::strmatch(later->style, "^tmsph/") && !is_one_of(later, {"viscous", "enforce2d"}) &&
-          overlap(lmp, fix, later))
+          !utils::strmatch(later->style, "^tmsph/") &&
+          !is_one_of(later, {"viscous", "enforce2d"}) && overlap(lmp, fix, later))
         return {IN_ORDER, ""};
     }
     return {PRESCRIBES, ""};

@@ -107,13 +107,13 @@ template <int D> class LatticeFaces {
 
   struct Face {
     Vector normal;
-    double height, gap;              // of the outermost row above the particle; distance of rows
-    bool spanned;                    // by D of the family or more, not on a line
-    std::vector<int> beyond;         // places
+    double height, gap;         // of the outermost row above the particle; distance of rows
+    bool spanned;               // by D of the family or more, not on a line
+    std::vector<int> beyond;    // places
   };
   double reach, same = 0.0;
-  std::vector<Vector> own, places;   // the particle itself is the first
-  std::vector<char> lacking;         // places without a neighbor
+  std::vector<Vector> own, places;             // the particle itself is the first
+  std::vector<char> lacking;                   // places without a neighbor
   std::vector<double> own_heights, heights;    // of own and of places along a normal
   std::vector<Face> candidates, faces;
   std::vector<Layer<D>> layers;

@@ -85,8 +85,8 @@ void TMSPHMaterials::init_materials(int **given)
                          "Horizon {} of type {} in pair_coeff is above that of pair_style tmsph, "
                          "{}: give the largest there",
                          m.horizon, i, horizon());
-    m.elastic = elastic_constants(lammps->domain->dimension, chosen.plane, m.young, m.poisson,
-                                  m.expansion);
+    m.elastic =
+        elastic_constants(lammps->domain->dimension, chosen.plane, m.young, m.poisson, m.expansion);
     m.hourglass = chosen.hourglass;
     some_expand = some_expand || m.expansion != 0.0;
   }
@@ -111,8 +111,7 @@ void TMSPHMaterials::complete_particles(bool formed) const
       error->one(FLERR,
                  "Particle {} has volume {}: give reference volumes with 'set group all volume V'",
                  atom->tag[i], volume);
-    if (std::isnan(atom->temperature[i]) && !formed)
-      atom->temperature[i] = m.reference_temperature;
+    if (std::isnan(atom->temperature[i]) && !formed) atom->temperature[i] = m.reference_temperature;
     const double mass = m.density * volume;
     if (atom->rmass[i] == 0.0)
       atom->rmass[i] = mass;
@@ -121,10 +120,9 @@ void TMSPHMaterials::complete_particles(bool formed) const
                  "Particle {} of type {} has mass {:.8g}, but density {:.8g} times volume {:.8g} "
                  "is {:.8g}: {}",
                  atom->tag[i], atom->type[i], atom->rmass[i], m.density, volume, mass,
-                 formed
-                     ? "with 'set type', 'set mass' or another density in pair_coeff after the "
-                       "first run change the others too; volumes stay"
-                     : "correct one of them, or leave the mass out");
+                 formed ? "with 'set type', 'set mass' or another density in pair_coeff after the "
+                          "first run change the others too; volumes stay"
+                        : "correct one of them, or leave the mass out");
     const double *v = atom->v[i];
     if (!formed && !std::isfinite(v[0] + v[1] + v[2]))
       error->one(FLERR,
@@ -149,8 +147,7 @@ bool TMSPHMaterials::same_material(int itype, int jtype) const
 {
   const Material &one = materials[itype], &other = materials[jtype];
   return one.young == other.young && one.poisson == other.poisson &&
-      one.expansion == other.expansion &&
-      one.reference_temperature == other.reference_temperature;
+      one.expansion == other.expansion && one.reference_temperature == other.reference_temperature;
 }
 
 /* ----------------------------------------------------------------------
@@ -170,9 +167,8 @@ void TMSPHMaterials::write_materials(FILE *fp, int **given) const
 {
   for (int i = 1; i < (int) materials.size(); i++) {
     const Material &m = materials[i];
-    const double list[7] = {(double) given[i][i], m.young,     m.poisson,
-                            m.density,            m.expansion, m.reference_temperature,
-                            m.horizon};
+    const double list[7] = {(double) given[i][i],    m.young,  m.poisson, m.density, m.expansion,
+                            m.reference_temperature, m.horizon};
     fwrite(list, sizeof(double), 7, fp);
     fwrite(are_bonded[i].data(), 1, materials.size(), fp);
   }

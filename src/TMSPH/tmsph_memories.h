@@ -73,10 +73,7 @@ template <class Memory> class TMSPHMemories {
     buf[0] = ubuf(-1).d;
     return 1;
   }
-  int unpack(tagint id, const double *buf)
-  {
-    return ubuf(buf[0]).i < 0 ? 1 : of(id).unpack(buf);
-  }
+  int unpack(tagint id, const double *buf) { return ubuf(buf[0]).i < 0 ? 1 : of(id).unpack(buf); }
 
  private:
   std::vector<Memory> memories;

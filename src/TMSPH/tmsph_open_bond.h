@@ -39,20 +39,20 @@ template <int D> using SquareMatrix = Eigen::Matrix<double, D, D>;
     which points to the partner. Nothing but doubles: it is stored as such. */
 struct OpenBond {
   Opening opening;
-  double area = 0.0;         ///< A of the crack that the bond stands for
-  double patience = 0.0;     ///< updates until leaving the fit is tried again
-  double leaves = 0.0;       ///< 1: the next step begins without it
-  double normal[3] = {};     ///< N
+  double area = 0.0;        ///< A of the crack that the bond stands for
+  double patience = 0.0;    ///< updates until leaving the fit is tried again
+  double leaves = 0.0;      ///< 1: the next step begins without it
+  double normal[3] = {};    ///< N
 };
 constexpr int OPEN_BOND_SIZE = sizeof(OpenBond) / sizeof(double);
 
 /** A bond as the fit of one of its ends sees it. */
 template <int D> struct FitBond {
-  Column<D> X, u;            ///< u' with the thermal strain taken off
+  Column<D> X, u;    ///< u' with the thermal strain taken off
   double weight;
-  double open;               ///< c, 0 where nothing opens
-  Column<D> normal;          ///< N
-  int place;                 ///< number in the family
+  double open;         ///< c, 0 where nothing opens
+  Column<D> normal;    ///< N
+  int place;           ///< number in the family
 };
 
 /** The rotation R of F = R U, and what its derivative needs. */
@@ -116,18 +116,18 @@ template <int D> inline SquareMatrix<D> dense(const Matrix<D, double> &A)
 /** A particle with openings, and what its fit is made of. */
 template <int D> struct OpenFit {
   std::vector<FitBond<D>> bonds;
-  SquareMatrix<D> shape_inverse;     ///< Kbar^-1; 0: singular
-  double volume, lambda, shear, chi; ///< of this particle
-  double heating, thermal;           ///< thermal strain, and what of it the law takes off
+  SquareMatrix<D> shape_inverse;        ///< Kbar^-1; 0: singular
+  double volume, lambda, shear, chi;    ///< of this particle
+  double heating, thermal;              ///< thermal strain, and what of it the law takes off
 
   // results of evaluate()
 
-  SquareMatrix<D> rotation;          ///< R
-  SquareMatrix<D> seen;              ///< gradient of the displacements with all jumps
-  SquareMatrix<D> H, P;              ///< elastic gradient, first Piola-Kirchhoff stress
-  SquareMatrix<D> B;                 ///< of f^i above
-  SquareMatrix<D> B_turning;         ///< and with the derivative of the rotation
-  double energy;                     ///< U_i
+  SquareMatrix<D> rotation;     ///< R
+  SquareMatrix<D> seen;         ///< gradient of the displacements with all jumps
+  SquareMatrix<D> H, P;         ///< elastic gradient, first Piola-Kirchhoff stress
+  SquareMatrix<D> B;            ///< of f^i above
+  SquareMatrix<D> B_turning;    ///< and with the derivative of the rotation
+  double energy;                ///< U_i
 
   template <class Law> void evaluate(Law)
   {

@@ -46,10 +46,10 @@ class TMSPHOpeningBalance {
   }
 
  private:
-  Figures done{};             // of finished openings
-  double fits_energy = 0.0;   // when they were evaluated last
-  double rise = 0.0;          // of what openings hold and took in updates since then
-  bool updated = false;       // there was one
+  Figures done{};              // of finished openings
+  double fits_energy = 0.0;    // when they were evaluated last
+  double rise = 0.0;           // of what openings hold and took in updates since then
+  bool updated = false;        // there was one
 };
 
 }    // namespace LAMMPS_NS

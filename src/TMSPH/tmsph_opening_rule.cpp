@@ -54,7 +54,8 @@ void TMSPHOpeningRule::init(PairTMSPH &style, TMSPHGhostSender &ghosts)
     any = true;
     pair->raise_hourglass(type, HOURGLASS_OF_OPENINGS);
   }
-  if (!any) opening.reset();
+  if (!any)
+    opening.reset();
   else if (!opening) {
     opening = std::make_unique<TMSPHOpenings>(lmp, *bonds, ghosts);
     if (comm->me == 0) opening->balance().resume(before);
@@ -67,8 +68,9 @@ void TMSPHOpeningRule::check(const std::string &style) const
 {
   if (!opening) return;
   if (!std::holds_alternative<TMSPH::WendlandC2>(pair->kernel_of_bonds()))
-    error->all(FLERR, "Words energy and toughness of fix {} are calibrated for kernel wendland of "
-                      "pair_style tmsph only: use that, or do without them",
+    error->all(FLERR,
+               "Words energy and toughness of fix {} are calibrated for kernel wendland of "
+               "pair_style tmsph only: use that, or do without them",
                style);
   for (int type = 1; type <= atom->ntypes; type++) {
     if (!rocks.opens(type)) continue;
@@ -76,14 +78,16 @@ void TMSPHOpeningRule::check(const std::string &style) const
     if (spacing == 0.0) continue;
     const double reach = pair->horizon(type, type) / spacing;
     if (reach < SHORTEST || reach > LONGEST)
-      error->all(FLERR, "Words energy and toughness of fix {} are calibrated for horizons of {} to "
-                        "{} spacings, not of {:.3g} as of type {}: use one of 3.015",
+      error->all(FLERR,
+                 "Words energy and toughness of fix {} are calibrated for horizons of {} to "
+                 "{} spacings, not of {:.3g} as of type {}: use one of 3.015",
                  style, SHORTEST, LONGEST, reach, type);
     const double length = rocks.characteristic_length(type), ratio = spacing / length;
     if (ratio > TOO_COARSE)
-      error->all(FLERR, "Spacing {:.4g} of type {} is {:.3g} of the characteristic length of its "
-                        "cracks, {:.4g}, of which it may be {} at most: use a spacing of {:.3g} or "
-                        "less, or do without energy and toughness",
+      error->all(FLERR,
+                 "Spacing {:.4g} of type {} is {:.3g} of the characteristic length of its "
+                 "cracks, {:.4g}, of which it may be {} at most: use a spacing of {:.3g} or "
+                 "less, or do without energy and toughness",
                  spacing, type, ratio, length, TOO_COARSE, COARSE * length);
     if (ratio > COARSE)
       pair->warn_once(fmt::format("Spacing {:.4g} of type {} is {:.3g} of the characteristic "
@@ -93,12 +97,14 @@ void TMSPHOpeningRule::check(const std::string &style) const
     for (int other = 1; other <= atom->ntypes; other++)
       if (other != type && pair->spacing_of(other) > 0.0 && pair->bonded(type, other) &&
           !pair->same_material(type, other))
-        error->all(FLERR, "Type {} has energy or toughness and is bonded to type {}, which differs "
-                          "in pair_coeff: give both the same, or 'pair_coeff {} {} none'",
+        error->all(FLERR,
+                   "Type {} has energy or toughness and is bonded to type {}, which differs "
+                   "in pair_coeff: give both the same, or 'pair_coeff {} {} none'",
                    type, other, std::min(type, other), std::max(type, other));
     if (pair->averages(type))
-      error->all(FLERR, "Nearly incompressible type {} cannot have energy or toughness in fix {}: "
-                        "its dilatation is averaged",
+      error->all(FLERR,
+                 "Nearly incompressible type {} cannot have energy or toughness in fix {}: "
+                 "its dilatation is averaged",
                  type, style);
   }
 }
@@ -189,11 +195,11 @@ bool TMSPHOpeningRule::open(int i, int k, int j, const double *mean)
     opening->add_residual<2>(i, j, stress);
   else
     opening->add_residual<3>(i, j, stress);
-  const double pull =
-      two ? TMSPH::principals_2d(stress).largest : TMSPH::principals_3d(stress).largest;
+  const double pull = two ? TMSPH::principals_2d(stress).largest
+                          : TMSPH::principals_3d(stress).largest;
   if (pull >= strength) {
-    const double energy = 0.5 *
-        (rocks.crack_energy(atom->type[i]) + rocks.crack_energy(atom->type[j])) / CALIBRATION;
+    const double energy =
+        0.5 * (rocks.crack_energy(atom->type[i]) + rocks.crack_energy(atom->type[j])) / CALIBRATION;
     if (two)
       opening->begin<2>(i, k, j, stress, strength, energy);
     else

@@ -58,14 +58,14 @@ class TMSPHOpeningRule : protected Pointers {
 
  private:
   const TMSPHRocks &rocks;
-  PairTMSPH *pair = nullptr;                 // since init
+  PairTMSPH *pair = nullptr;    // since init
   FixTMSPHBond *bonds = nullptr;
   std::unique_ptr<TMSPHOpenings> opening;    // with energy or toughness
   TMSPHOpeningBalance::Figures before{};     // from a restart file
   TMSPHBondWatch damage_watch;
-  std::vector<char> damaged, watched;        // of local particles: bonds are gone; looked at
-  bool began = false;                        // here, in this test
-  bool looking = false;                      // at bonds that may open, on some processor
+  std::vector<char> damaged, watched;    // of local particles: bonds are gone; looked at
+  bool began = false;                    // here, in this test
+  bool looking = false;                  // at bonds that may open, on some processor
 
   bool may_open(int i, const double *row) const;
   double bond_strength(int i, int j) const;

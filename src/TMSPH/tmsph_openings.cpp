@@ -63,8 +63,7 @@ int TMSPHOpenings::most_sent() const
    the bonds of a particle as its fit sees them, see the sweeps
 ------------------------------------------------------------------------- */
 
-template <int D>
-void TMSPHOpenings::gather(const TMSPHBondState &s, int i, OpenFit<D> &fit) const
+template <int D> void TMSPHOpenings::gather(const TMSPHBondState &s, int i, OpenFit<D> &fit) const
 {
   using R = Rows<D>;
   const bool heated = s.on.thermal == ThermalStrain::BOND;
@@ -190,7 +189,7 @@ void TMSPHOpenings::add_forces(const TMSPHBondState &s, double *f, int stride, d
       double scale = bonds.weight(i, j);
       if (heated) {
         const double *const mine = s.kinematic + (size_t) i * R::KINEMATIC,
-                     *const his = s.kinematic + (size_t) j * R::KINEMATIC;
+                            *const his = s.kinematic + (size_t) j * R::KINEMATIC;
         const double young = mine[R::YOUNG] + his[R::YOUNG];
         scale *= young / (young + (mine[R::THERMAL] + his[R::THERMAL]));
       }
@@ -245,10 +244,10 @@ double TMSPHOpenings::bytes() const
 
 /* ---------------------------------------------------------------------- */
 
-#define INSTANTIATE(D)                                                                           \
-  template void TMSPHOpenings::correct<D>(const TMSPHBondState &);                               \
-  template void TMSPHOpenings::finish<D>(const TMSPHBondState &);                                \
-  template void TMSPHOpenings::add_forces<D>(const TMSPHBondState &, double *, int, double *,    \
+#define INSTANTIATE(D)                                                                        \
+  template void TMSPHOpenings::correct<D>(const TMSPHBondState &);                            \
+  template void TMSPHOpenings::finish<D>(const TMSPHBondState &);                             \
+  template void TMSPHOpenings::add_forces<D>(const TMSPHBondState &, double *, int, double *, \
                                              double *) const;
 
 INSTANTIATE(2)

@@ -60,8 +60,7 @@ class TMSPHOpenings : protected Pointers {
   /// what the rows do not hold: added to forces of local particles and to virials, where these are
   /// not nullptr
   template <int D>
-  void add_forces(const TMSPHBondState &, double *f, int stride, double *total,
-                  double *each) const;
+  void add_forces(const TMSPHBondState &, double *f, int stride, double *total, double *each) const;
   /// what finish() found instead of the energy of local particle i, with half of what its openings
   /// hold
   struct Energy {
@@ -99,16 +98,16 @@ class TMSPHOpenings : protected Pointers {
   FixTMSPHBond &bonds;
   TMSPHGhostSender &ghosts;
   TMSPHBondValues &values;
-  TMSPHParticleValues &shapes;       // Kbar^-1 when the first bond began to open
+  TMSPHParticleValues &shapes;    // Kbar^-1 when the first bond began to open
   TMSPHBondWatch watch;
-  std::vector<int> open;             // local particles with openings, ascending
+  std::vector<int> open;    // local particles with openings, ascending
   bool any = false;
   std::tuple<std::vector<TMSPH::OpenFit<2>>, std::vector<TMSPH::OpenFit<3>>> fits_of;
   std::vector<Energy> energy;
   TMSPHGhostRows rows;
   int near_column = 0, candidate_column = 0;
-  const double *kinematic = nullptr; // of the last exchange(),
-  bool heated = false;               // where it has thermal bonds
+  const double *kinematic = nullptr;    // of the last exchange(),
+  bool heated = false;                  // where it has thermal bonds
   TMSPHOpeningBalance account;
   TMSPH::CohesiveLaw law;
 
@@ -128,8 +127,7 @@ class TMSPHOpenings : protected Pointers {
   template <int D> void fill_open_rows();
   template <int D> double update_once(bool decides);
   void decide_leaving(int i, int j, TMSPH::OpenBond &);
-  template <int D>
-  void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);
+  template <int D> void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);
 };
 
 }    // namespace LAMMPS_NS

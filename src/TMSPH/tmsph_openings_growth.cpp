@@ -165,7 +165,7 @@ template <int D> double TMSPHOpenings::relative(int i, int j, double *X, double 
   double x[3];
   bonds.reference_vector(i, j, x);
   const double *const mine = kinematic + (size_t) i * R::KINEMATIC,
-               *const his = kinematic + (size_t) j * R::KINEMATIC;
+                      *const his = kinematic + (size_t) j * R::KINEMATIC;
   const double young = mine[R::YOUNG] + his[R::YOUNG];
   const double push = heated ? mine[R::THERMAL] + his[R::THERMAL] : 0.0;
   double square = 0.0;
@@ -197,8 +197,8 @@ template <int D> void TMSPHOpenings::add_residual(int i, int j, double *stress) 
     square += r[a] * r[a];
   }
   if (!(along > 0.0)) return;
-  const double scale = 0.5 * (mine[O::CHI] + his[O::CHI]) * bonds.interior_kappa() /
-      (R * std::sqrt(square));
+  const double scale =
+      0.5 * (mine[O::CHI] + his[O::CHI]) * bonds.interior_kappa() / (R * std::sqrt(square));
   for (int a = 0, n = D; a < D; a++) {
     stress[a] += scale * r[a] * r[a];
     for (int b = a + 1; b < D; b++) stress[n++] += scale * r[a] * r[b];
@@ -319,10 +319,10 @@ template <int D> double TMSPHOpenings::update_once(bool decides)
       const double pull =
           end_traction<D>(mine + O::R, mine + O::B, mine[O::CHI], X, u, b.normal, W, c) +
           end_traction<D>(his + O::R, his + O::B, his[O::CHI], minus[0], minus[1], minus[2], W, c);
-      const double stiffness = opening_stiffness(
-          W, 0.5 * (mine[O::MODULUS] + his[O::MODULUS]), bonds.interior_kappa(),
-          std::min(1.0, std::min(mine[O::LEAST], his[O::LEAST])),
-          0.5 * (mine[O::CHI] + his[O::CHI]), b.area);
+      const double stiffness =
+          opening_stiffness(W, 0.5 * (mine[O::MODULUS] + his[O::MODULUS]), bonds.interior_kappa(),
+                            std::min(1.0, std::min(mine[O::LEAST], his[O::LEAST])),
+                            0.5 * (mine[O::CHI] + his[O::CHI]), b.area);
       std::visit(
           [&](auto one) {
             const auto total = [&] {
@@ -375,11 +375,11 @@ std::vector<std::pair<int, int>> TMSPHOpenings::leaving()
 
 /* ---------------------------------------------------------------------- */
 
-#define INSTANTIATE(D)                                                                           \
-  template void TMSPHOpenings::exchange<D>(const TMSPHBondState &, const std::vector<char> &);   \
-  template void TMSPHOpenings::add_residual<D>(int, int, double *) const;                        \
-  template void TMSPHOpenings::begin<D>(int, int, int, const double *, double, double);          \
-  template void TMSPHOpenings::complete<D>(const TMSPHBondState &);                              \
+#define INSTANTIATE(D)                                                                         \
+  template void TMSPHOpenings::exchange<D>(const TMSPHBondState &, const std::vector<char> &); \
+  template void TMSPHOpenings::add_residual<D>(int, int, double *) const;                      \
+  template void TMSPHOpenings::begin<D>(int, int, int, const double *, double, double);        \
+  template void TMSPHOpenings::complete<D>(const TMSPHBondState &);                            \
   template void TMSPHOpenings::update<D>(TMSPHBondState);
 
 INSTANTIATE(2)

@@ -72,8 +72,7 @@ void TMSPHOwnSide::follow(int i, const FixTMSPHBond &bonds, const Atom &atom,
 /* ---------------------------------------------------------------------- */
 
 template <int D>
-void TMSPHOwnSide::fill(int i, const FixTMSPHBond &bonds, const Atom &atom,
-                        const double *kinematic)
+void TMSPHOwnSide::fill(int i, const FixTMSPHBond &bonds, const Atom &atom, const double *kinematic)
 {
   const int q = lane[i] / LANES, l = lane[i] % LANES;
   const int rows = slices.offset[q + 1] - slices.offset[q];
@@ -86,9 +85,8 @@ void TMSPHOwnSide::fill(int i, const FixTMSPHBond &bonds, const Atom &atom,
       const bool here = k < bonds.count(i);
       const int j = here ? bonds.partner_index(i, k) : i;
       slices.partner[at] = j;
-      slices.weight[at] = here && (!own_only || atom.type[j] == atom.type[i])
-          ? whole.weight[whole.at(i, k)]
-          : 0.0f;
+      slices.weight[at] =
+          here && (!own_only || atom.type[j] == atom.type[i]) ? whole.weight[whole.at(i, k)] : 0.0f;
     }
     update_shape<D>(slices, q, l, kinematic, bonds.interior_kappa(), same);
     fit<D>(q, l, own_only, bonds.spacing(i), kinematic);

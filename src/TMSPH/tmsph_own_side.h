@@ -24,8 +24,7 @@ class TMSPHOwnSide {
       @param kinematic rows of local and ghost particles */
   template <int D> void lay_out(const FixTMSPHBond &, const Atom &, const double *kinematic);
   /// local particle i lost a bond, and has new constants
-  template <int D>
-  void follow(int i, const FixTMSPHBond &, const Atom &, const double *kinematic);
+  template <int D> void follow(int i, const FixTMSPHBond &, const Atom &, const double *kinematic);
   /// stress, and gradient if that is asked for, of these particles in place of those over all bonds
   template <int D>
   void find_stress(const TMSPH::Features &on, const double *kinematic,
@@ -36,10 +35,8 @@ class TMSPHOwnSide {
   TMSPH::Slices slices;
   std::vector<int> lane;    // [nlocal] in the slices, or -1
 
-  template <int D>
-  void fill(int i, const FixTMSPHBond &, const Atom &, const double *kinematic);
-  template <int D>
-  void fit(int q, int l, bool one_sided, double spacing, const double *kinematic);
+  template <int D> void fill(int i, const FixTMSPHBond &, const Atom &, const double *kinematic);
+  template <int D> void fit(int q, int l, bool one_sided, double spacing, const double *kinematic);
 };
 
 }    // namespace LAMMPS_NS

@@ -17,12 +17,12 @@ using namespace TMSPH;
 // (doc/report/quasistatic.md); 1e-6 for FREE and 0.1 to 2 for HOLD one of 25, FREE 1e-2 five
 // (test_quasistatic). MOST bounds the time of a factorization, of which REBUILDS are some more
 
-static constexpr double SPACING = 3.0;     // of the nodes, in particle spacings
-static constexpr int MOST = 6000;          // degrees of freedom of the grid
-static constexpr double FREE = 1.0e-4;     // of the diagonal, against rigid motions
-static constexpr double LOCAL = 0.5;       // stiffness of a particle, in M V/spacing^2
-static constexpr double HOLD = 0.5;        // spring of a held particle, in the same unit
-static constexpr int REBUILDS = 20;        // of the grid in a minimization
+static constexpr double SPACING = 3.0;    // of the nodes, in particle spacings
+static constexpr int MOST = 6000;         // degrees of freedom of the grid
+static constexpr double FREE = 1.0e-4;    // of the diagonal, against rigid motions
+static constexpr double LOCAL = 0.5;      // stiffness of a particle, in M V/spacing^2
+static constexpr double HOLD = 0.5;       // spring of a held particle, in the same unit
+static constexpr int REBUILDS = 20;       // of the grid in a minimization
 
 /* ---------------------------------------------------------------------- */
 
@@ -42,8 +42,14 @@ void TMSPHPreconditioner::init(PairTMSPH *given)
   space.grid.reset();
 }
 
-template <> TMSPHPreconditioner::Level<2> &TMSPHPreconditioner::level<2>() { return plane; }
-template <> TMSPHPreconditioner::Level<3> &TMSPHPreconditioner::level<3>() { return space; }
+template <> TMSPHPreconditioner::Level<2> &TMSPHPreconditioner::level<2>()
+{
+  return plane;
+}
+template <> TMSPHPreconditioner::Level<3> &TMSPHPreconditioner::level<3>()
+{
+  return space;
+}
 
 /* ---------------------------------------------------------------------- */
 
@@ -62,8 +68,8 @@ template <int D> void TMSPHPreconditioner::make_grid()
   }
   MPI_Allreduce(ends, most, 6, MPI_DOUBLE, MPI_MAX, world);
   for (int k = 0; k < 3; k++) most[k] = -most[k];
-  level<D>().grid = std::make_unique<CoarseGrid<D>>(most, most + 3, periodic,
-                                                    SPACING * pair->spacing(), MOST);
+  level<D>().grid =
+      std::make_unique<CoarseGrid<D>>(most, most + 3, periodic, SPACING * pair->spacing(), MOST);
 }
 
 /* ----------------------------------------------------------------------
@@ -132,8 +138,7 @@ void TMSPHPreconditioner::apply(LBFGS::Vector &v)
    return false if there is no grid
 ------------------------------------------------------------------------- */
 
-template <int D>
-bool TMSPHPreconditioner::restrict(const LBFGS::Vector &v, Eigen::VectorXd &nodes)
+template <int D> bool TMSPHPreconditioner::restrict(const LBFGS::Vector &v, Eigen::VectorXd &nodes)
 {
   const Level<D> &on = level<D>();
   const double scale = fixed_point_scale(D * atom->natoms * v.bound);
@@ -189,7 +194,8 @@ template <int D> void TMSPHPreconditioner::apply_in(LBFGS::Vector &v)
 
 double TMSPHPreconditioner::memory_usage() const
 {
-  return compliance.capacity() * sizeof(double) + (mine.capacity() + all.capacity()) *
-      sizeof(int64_t) + plane.places.capacity() * sizeof(CoarseGrid<2>::Place) +
+  return compliance.capacity() * sizeof(double) +
+      (mine.capacity() + all.capacity()) * sizeof(int64_t) +
+      plane.places.capacity() * sizeof(CoarseGrid<2>::Place) +
       space.places.capacity() * sizeof(CoarseGrid<3>::Place);
 }

@@ -35,7 +35,7 @@ class TMSPHPreconditioner : protected Pointers {
   int version;                       // layout that the arrays below belong to
   std::vector<double> compliance;    // of local particles
   double largest_compliance;
-  int64_t held;                      // components for which the grid was built
+  int64_t held;    // components for which the grid was built
   int rebuilds;
   std::vector<int64_t> mine, all;
   Level<2> plane;

@@ -120,8 +120,9 @@ int TMSPHPressedSurfaces::doubles_per_ghost() const
   int most = 0;
   for (Fix *fix : modify->get_fix_list())
     if (dynamic_cast<TMSPHPresses *>(fix))
-      most = std::max(most, reaches_outermost(fix) ? rows.columns() + ROUNDS * size
-                                                   : CONTACT_ROUNDS * rows.columns());
+      most = std::max(most,
+                      reaches_outermost(fix) ? rows.columns() + ROUNDS * size
+                                             : CONTACT_ROUNDS * rows.columns());
   return most;
 }
 
@@ -203,8 +204,7 @@ void TMSPHPressedSurfaces::take_loads(const std::vector<TMSPHPresses::Load> &loa
     const double surface = norm(s, size), bonded = norm(own, size);
     if (surface == 0.0) continue;
     double &pressed_by = rows[i][load.outermost ? BY_SURFACE : BY_CONTACT];
-    if (pressed_by == 0.0)
-      (load.outermost ? outermost : touching).push_back(i);
+    if (pressed_by == 0.0) (load.outermost ? outermost : touching).push_back(i);
     pressed_by = std::max(pressed_by, std::min(1.0, surface / (PRESSED * (surface + bonded))));
     double sum = load.outermost ? 0.0 : 1.0;
     if (load.outermost) {
@@ -274,8 +274,7 @@ void TMSPHPressedSurfaces::average_pairs()
   members.clear();
   for (const int i : touching) members.push_back({i, 0.0});
   for (int round = 0; round < CONTACT_ROUNDS; round++) {
-    for (const int i : touching)
-      std::copy_n(stress + (size_t) size * i, size, rows[i] + SPREAD);
+    for (const int i : touching) std::copy_n(stress + (size_t) size * i, size, rows[i] + SPREAD);
     ghosts.send(rows, 0, rows.columns());
     average(rows[0] + SPREAD, rows.columns(), true);
   }
@@ -299,10 +298,8 @@ void TMSPHPressedSurfaces::average(const double *stresses, int stride, bool pair
     const Span span = near(m.i);
     for (int n = span.first; n < span.last; n++) {
       const Near &one = near_ones[n];
-      const double most = touched == 0.0
-          ? m.part
-          : std::max(m.part,
-                     std::min(touched, rows[one.j][BY_CONTACT]));
+      const double most =
+          touched == 0.0 ? m.part : std::max(m.part, std::min(touched, rows[one.j][BY_CONTACT]));
       const double *his = stresses + (size_t) stride * one.j;
       if (most == 0.0 || !(his[0] < UNBEARABLE)) continue;
       const double part = most * one.mass;

@@ -28,7 +28,8 @@ class TMSPHPressedSurfaces : protected Pointers {
  public:
   TMSPHPressedSurfaces(class LAMMPS *lmp, const TMSPHMaterials &materials,
                        TMSPHGhostSender &ghosts) :
-      Pointers(lmp), materials(materials), ghosts(ghosts)
+      Pointers(lmp),
+      materials(materials), ghosts(ghosts)
   {
   }
   void init();
@@ -44,34 +45,34 @@ class TMSPHPressedSurfaces : protected Pointers {
  private:
   struct Near {
     int j;
-    double mass;                // V_j W_ij
+    double mass;    // V_j W_ij
   };
   struct Span {
     int first = 0, last = 0;    // of those near a particle; 0: not listed
   };
   struct Member {
     int i;
-    double part;                // of the average that it reports
+    double part;    // of the average that it reports
   };
   struct Across {
-    int i, k, ghost;            // a local particle and its bond to a ghost
+    int i, k, ghost;    // a local particle and its bond to a ghost
   };
 
   const TMSPHMaterials &materials;
   TMSPHGhostSender &ghosts;
   const FixTMSPHBond *bonds = nullptr;    // of the present call, as the stresses
   double *stress = nullptr;
-  int size = 0;                           // of a stress row
-  int trusted = 0;                        // calls until it is asked who is pressed
-  TMSPHBondWatch layout;                  // that all the rest belongs to
-  TMSPHGhostRows rows;                    // how it is pressed, see the columns; 0: nothing
-  std::vector<int> outermost, touching;   // local particles with a row: by surfaces, by pairs
+  int size = 0;                            // of a stress row
+  int trusted = 0;                         // calls until it is asked who is pressed
+  TMSPHBondWatch layout;                   // that all the rest belongs to
+  TMSPHGhostRows rows;                     // how it is pressed, see the columns; 0: nothing
+  std::vector<int> outermost, touching;    // local particles with a row: by surfaces, by pairs
   std::vector<Member> members;
-  std::vector<double> changes;            // of the stress of each
+  std::vector<double> changes;    // of the stress of each
   std::vector<Near> near_ones;
-  std::vector<Span> spans;                // [nlocal]
+  std::vector<Span> spans;    // [nlocal]
   std::vector<Across> across;
-  std::vector<char> listed;               // [nlocal]
+  std::vector<char> listed;    // [nlocal]
 
   bool pressed(bool here);
   void lay_out();

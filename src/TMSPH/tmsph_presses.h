@@ -17,7 +17,7 @@ class TMSPHPresses {
       xx yy zz xy xz yz. */
   struct Load {
     int i;
-    bool outermost;      // the forces reach the outermost particles only, not those behind
+    bool outermost;    // the forces reach the outermost particles only, not those behind
     double stress[6];
   };
   /// adds those of the last force evaluation (collective)

@@ -28,11 +28,11 @@
 
 using namespace LAMMPS_NS;
 
-static constexpr double JUMP = 0.98;           // of the way to the first break, since the load
-                                               // factor is only nearly proportional to heating
-static constexpr double STRENGTH = 2.5e-4;     // of Young's modulus, where none is given: rock with
-                                               // 10 MPa and 40 GPa
-static constexpr double SILENCE = 5.0;         // s without a line on the screen
+static constexpr double JUMP = 0.98;          // of the way to the first break, since the load
+                                              // factor is only nearly proportional to heating
+static constexpr double STRENGTH = 2.5e-4;    // of Young's modulus, where none is given: rock with
+                                              // 10 MPa and 40 GPa
+static constexpr double SILENCE = 5.0;        // s without a line on the screen
 
 /* ----------------------------------------------------------------------
    a minimizer in the place of the user's, which keeps its settings, until the end of a scope
@@ -135,12 +135,14 @@ void TMSPHQuasistatic::check_fixes()
       error->all(FLERR,
                  "Fix {} of style {} needs steps of time, and tmsph/quasistatic has none: hold the "
                  "particles with fix setforce 0 0 0 and move them with displace_atoms between two "
-                 "tmsph/quasistatic", fix->id, fix->style);
+                 "tmsph/quasistatic",
+                 fix->id, fix->style);
     if (auto wall = dynamic_cast<FixTMSPHWall *>(fix)) {
       if (wall->loaded())
         error->all(FLERR,
                    "Fix tmsph/wall {} moves under a load, and tmsph/quasistatic has no law of "
-                   "motion for it: prescribe its velocity, or use run", fix->id);
+                   "motion for it: prescribe its velocity, or use run",
+                   fix->id);
       walls.push_back(wall);
     }
     if (fix->box_change & ~Fix::BOX_CHANGE_DOMAIN)
@@ -153,8 +155,10 @@ void TMSPHQuasistatic::check_fixes()
   }
   rock = FixTMSPHBreak::find(lmp);
   if (rock && rock->openings())
-    error->all(FLERR, "Tmsph/quasistatic cannot follow bonds that open: leave out energy and "
-                      "toughness in fix {} {}, or use run", rock->style, rock->id);
+    error->all(FLERR,
+               "Tmsph/quasistatic cannot follow bonds that open: leave out energy and "
+               "toughness in fix {} {}, or use run",
+               rock->style, rock->id);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -263,8 +267,7 @@ int TMSPHQuasistatic::next_steps(int most)
   most = next_stop(most);
   if (rock && load > 0.0 && load < 1.0 && !any_broken()) {
     double hottest = 0.0, all;
-    for (int i = 0; i < atom->nlocal; i++)
-      hottest = std::max(hottest, std::fabs(pair->heating(i)));
+    for (int i = 0; i < atom->nlocal; i++) hottest = std::max(hottest, std::fabs(pair->heating(i)));
     MPI_Allreduce(&hottest, &all, 1, MPI_DOUBLE, MPI_MAX, world);
     const double heating = all * (1.0 / load - 1.0);
     const bool near = JUMP * heating < change;
@@ -382,8 +385,10 @@ void TMSPHQuasistatic::find_equilibrium(double rms)
   if (solver->equilibrate(rms * unit, evaluations, [this]() { show_life(); })) return;
   const double left = solver->force_norm() / unit;    // of all processors
   if (count.failures++ == 0 && comm->me == 0)
-    error->warning(FLERR, "Equilibrium on step {} was not found in {} force evaluations; the "
-                          "residual is {:.3g}", update->ntimestep, evaluations, left);
+    error->warning(FLERR,
+                   "Equilibrium on step {} was not found in {} force evaluations; the "
+                   "residual is {:.3g}",
+                   update->ntimestep, evaluations, left);
 }
 
 /* ----------------------------------------------------------------------
@@ -399,8 +404,11 @@ void TMSPHQuasistatic::show_life()
   const bigint done = update->ntimestep - update->firststep;
   const auto left = (bigint) ((now - life.start) / done * (update->laststep - update->ntimestep));
   fputs(fmt::format("  step {} of {}: {} bonds broken on it, equilibrium {}; about {}:{:02}:{:02} "
-                    "remain\n", update->ntimestep, update->laststep, life.broken, life.equilibria,
-                    left / 3600, left / 60 % 60, left % 60).c_str(), screen);
+                    "remain\n",
+                    update->ntimestep, update->laststep, life.broken, life.equilibria, left / 3600,
+                    left / 60 % 60, left % 60)
+            .c_str(),
+        screen);
   fflush(screen);
 }
 
@@ -430,8 +438,7 @@ void TMSPHQuasistatic::tell() const
   if (comm->me) return;
   utils::logmesg(lmp, "Quasi-static: {} equilibria in {} steps, {} force evaluations\n",
                  count.equilibria, count.steps, solver->evaluations());
-  if (count.failures)
-    utils::logmesg(lmp, "  {} equilibria were not found\n", count.failures);
+  if (count.failures) utils::logmesg(lmp, "  {} equilibria were not found\n", count.failures);
   if (count.broken)
     utils::logmesg(lmp, "  {} bonds broke, the first on step {}, most, {}, on step {}\n",
                    count.broken, count.first_step, count.avalanche, count.avalanche_step);

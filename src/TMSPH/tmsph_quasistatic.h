@@ -28,14 +28,14 @@ class TMSPHQuasistatic : public Command {
   void command(int, char **) override;
 
  private:
-  enum { BEFORE, RATE };        // displacements at the start of a step, their growth per time step
+  enum { BEFORE, RATE };    // displacements at the start of a step, their growth per time step
   int nsteps;
-  double change;                // of a temperature in a step
-  double residual[2];           // before the clock goes on, and while bonds break
-  double breaking;              // load factor of the bonds that break, of the largest one
+  double change;         // of a temperature in a step
+  double residual[2];    // before the clock goes on, and while bonds break
+  double breaking;       // load factor of the bonds that break, of the largest one
   bool jump;
-  double stride;                // of a wall in a step, in particle spacings
-  bigint evaluations;           // most in one equilibrium
+  double stride;         // of a wall in a step, in particle spacings
+  bigint evaluations;    // most in one equilibrium
 
   class PairTMSPH *pair;
   class FixTMSPHBreak *rock;
@@ -43,11 +43,11 @@ class TMSPHQuasistatic : public Command {
   std::vector<TMSPHHeatClock *> clocks;
   std::vector<class FixTMSPHWall *> walls;
   std::vector<class Fix *> stops;    // that act at the end of a step
-  double unit;                  // of the norm of all forces, for the residual
+  double unit;                       // of the norm of all forces, for the residual
 
   // the way to the first break
-  double load, load_before;     // largest load factors, of the last steps; negative: not known
-  int covered;                  // time steps of the last step
+  double load, load_before;    // largest load factors, of the last steps; negative: not known
+  int covered;                 // time steps of the last step
 
   struct {
     bigint steps, equilibria, failures, avalanche, avalanche_step, first_step, broken;

@@ -46,9 +46,9 @@ class TMSPHReferenceGeometry {
  protected:
   TMSPHBondUser *user = nullptr;
   double horizon = 0.0;
-  std::vector<double> type_horizons;      // and that of each type
+  std::vector<double> type_horizons;    // and that of each type
   double kappa = 0.0, thickness = 1.0;
-  double period[3] = {}, corner[3] = {};  // of the reference box
+  double period[3] = {}, corner[3] = {};    // of the reference box
 
   /// periods and corner from the present box
   void take_box();
@@ -64,7 +64,7 @@ class TMSPHReferenceGeometry {
 
  private:
   class LAMMPS *lammps;
-  std::vector<double> xref;               // [nlocal+nghost][3]
+  std::vector<double> xref;    // [nlocal+nghost][3]
 };
 
 }    // namespace LAMMPS_NS

@@ -31,9 +31,9 @@ namespace TMSPH {
 struct UnitNames {
   explicit UnitNames(const std::string &style);
   std::string length, area, volume, time, pressure, density, speed, diffusivity;
-  std::string area_energy;    ///< energy per area
-  std::string toughness;      ///< pressure times the root of a length
-  double meters_per_second;   ///< in a unit of speed; 0: not known
+  std::string area_energy;            ///< energy per area
+  std::string toughness;              ///< pressure times the root of a length
+  double meters_per_second;           ///< in a unit of speed; 0: not known
   double square_meters_per_second;    ///< in one of diffusivity
 };
 

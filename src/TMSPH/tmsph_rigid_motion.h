@@ -15,18 +15,15 @@
 namespace TMSPH {
 
 struct RigidMotion {
-  Point pivot = {0.0, 0.0, 0.0};            ///< at the start
-  Point axis = {0.0, 0.0, 1.0};             ///< unit vector
-  Point shift = {0.0, 0.0, 0.0};            ///< since then
-  double angle = 0.0;                       ///< radians, since then
-  Point velocity = {0.0, 0.0, 0.0};         ///< of the pivot
-  double spin = 0.0;                        ///< radians per time
+  Point pivot = {0.0, 0.0, 0.0};       ///< at the start
+  Point axis = {0.0, 0.0, 1.0};        ///< unit vector
+  Point shift = {0.0, 0.0, 0.0};       ///< since then
+  double angle = 0.0;                  ///< radians, since then
+  Point velocity = {0.0, 0.0, 0.0};    ///< of the pivot
+  double spin = 0.0;                   ///< radians per time
 
   /// where the pivot is now
-  Point centre() const
-  {
-    return {pivot[0] + shift[0], pivot[1] + shift[1], pivot[2] + shift[2]};
-  }
+  Point centre() const { return {pivot[0] + shift[0], pivot[1] + shift[1], pivot[2] + shift[2]}; }
 
   /// v turned by the angle, or back (Rodrigues' formula)
   Point turned(const Point &v, bool back = false) const

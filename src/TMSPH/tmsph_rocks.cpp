@@ -200,8 +200,8 @@ Principals TMSPHRocks::principals(int i, int j, const double *row_i, const doubl
 {
   double zz = 0.0;
   if (all_principals)
-    zz = 0.5 * (materials->stress_zz(i, row_i[0], row_i[1]) +
-                materials->stress_zz(j, row_j[0], row_j[1]));
+    zz = 0.5 *
+        (materials->stress_zz(i, row_i[0], row_i[1]) + materials->stress_zz(j, row_j[0], row_j[1]));
   return principals(mean, zz);
 }
 

@@ -29,9 +29,9 @@ class TMSPHRocks : protected Pointers {
     double strength = 0.0;
     double modulus = 0.0;    // Weibull; 0: no scatter
     int seed = 0;
-    double energy = 0.0;     // G_f of a crack; 0: bonds break at once
-    double toughness = 0.0;  // K_Ic in place of it, or 0
-    double tensile = 0.0;    // uniaxial tensile strength/strength, set at init
+    double energy = 0.0;       // G_f of a crack; 0: bonds break at once
+    double toughness = 0.0;    // K_Ic in place of it, or 0
+    double tensile = 0.0;      // uniaxial tensile strength/strength, set at init
   };
 
   TMSPHRocks(class LAMMPS *, std::unique_ptr<TMSPH::Criterion>);
@@ -83,7 +83,7 @@ class TMSPHRocks : protected Pointers {
 
  private:
   std::unique_ptr<TMSPH::Criterion> law;
-  std::vector<Rock> rocks;                      // by type
+  std::vector<Rock> rocks;    // by type
   bool all_principals = false, one_rock = true;
   const TMSPHMaterials *materials = nullptr;    // since init
   int version = -1;                             // layout that strengths belong to

@@ -32,8 +32,7 @@ void TMSPHRunReport::begin(const FixTMSPHBond &bonds, const Facts &facts,
   const double thickness = bonds.body_thickness();
   const bool changed = inventory.measure(materials, bonds);
   const std::string doubt = changed ? find_doubt(lmp, materials, inventory, thickness) : "";
-  if (moves)
-    timestep.check(materials, bonds, participants.bonds_may_break(), doubt, estimate);
+  if (moves) timestep.check(materials, bonds, participants.bonds_may_break(), doubt, estimate);
   if (!reported) report(bonds, facts);
   reported = true;
   if (changed) inventory.tell(materials, thickness);
@@ -78,19 +77,21 @@ void TMSPHRunReport::report(const FixTMSPHBond &bonds, const Facts &facts)
                  "  {:.0f} bytes per particle, {} doubles sent per ghost and step besides "
                  "positions\n",
                  VERSION, intact + broken + cut, 2.0 * (intact + broken + cut) / natoms, fewest,
-                 most, broken, cut, facts.features, all_bytes / natoms,
-                 facts.doubles_per_ghost);
+                 most, broken, cut, facts.features, all_bytes / natoms, facts.doubles_per_ghost);
   if (all_flat && !broken && !cut)
-    error->warning(FLERR, "{} particles have their neighbors on one {} and carry no stress: bodies "
-                          "should be 2 particles thick, better 4",
+    error->warning(FLERR,
+                   "{} particles have their neighbors on one {} and carry no stress: bodies "
+                   "should be 2 particles thick, better 4",
                    all_flat, domain->dimension == 2 ? "line" : "line or plane");
   const bool may_break = participants.bonds_may_break();
   if (broken && !may_break)    // of an earlier run: a restart has the bonds but not the fix
-    error->warning(FLERR, "Bonds have broken before, and now none can: give fix tmsph/hoekbrown "
-                          "again after read_restart");
+    error->warning(FLERR,
+                   "Bonds have broken before, and now none can: give fix tmsph/hoekbrown "
+                   "again after read_restart");
   if (cut && !may_break && !(participants.states_in_contact() >> FixTMSPHBond::CUT & 1u))
-    error->warning(FLERR, "The faces of cuts pass through each other: add a fix "
-                          "tmsph/contact");
+    error->warning(FLERR,
+                   "The faces of cuts pass through each other: add a fix "
+                   "tmsph/contact");
 }
 
 /* ---------------------------------------------------------------------- */

@@ -32,8 +32,8 @@ class TMSPHRunReport : protected Pointers {
 
   TMSPHRunReport(class LAMMPS *lmp, const TMSPHMaterials &materials,
                  const TMSPHParticipants &participants, TMSPHNotes &notes) :
-      Pointers(lmp), materials(materials), participants(participants), notes(notes),
-      inventory(lmp), timestep(lmp)
+      Pointers(lmp),
+      materials(materials), participants(participants), notes(notes), inventory(lmp), timestep(lmp)
   {
   }
   /// materials or settings are others

@@ -76,8 +76,9 @@ void TMSPHSettings::read(LAMMPS *lmp, int narg, char **arg)
 
 void TMSPHSettings::write_restart(FILE *fp) const
 {
-  const double list[8] = {horizon,   (double) kernel.index(), (double) plane, (double) thermal,
-                          hourglass, alpha1,                  alpha2,         (double) dilatation};
+  const double list[8] = {
+      horizon, (double) kernel.index(), (double) plane, (double) thermal, hourglass, alpha1,
+      alpha2,  (double) dilatation};
   const int format_and_law[2] = {RESTART_FORMAT, (int) law.index()};
   char version[VERSION_LENGTH] = {};
   memcpy(version, VERSION, sizeof(VERSION));

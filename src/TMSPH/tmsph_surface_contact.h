@@ -31,9 +31,9 @@ struct TMSPHSurfaceContact {
 
   /** Two particles that pressed on each other in the last force evaluation. */
   struct Touch {
-    int i, j;          ///< a local particle, and a local or ghost one
-    double weight;     ///< V_i V_j w_ij as the contact took it
-    double distance;   ///< of the two along the normal when the surfaces just touch
+    int i, j;           ///< a local particle, and a local or ghost one
+    double weight;      ///< V_i V_j w_ij as the contact took it
+    double distance;    ///< of the two along the normal when the surfaces just touch
   };
   /// friction took this energy at local particle i since the last call: half of that of its pairs
   struct Rubbing {

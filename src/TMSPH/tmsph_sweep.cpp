@@ -56,10 +56,7 @@ template <int D> struct Own {
   TMSPH_INLINE Lanes lambda() const { return constant(SYMMETRIC<D> + 1); }
   TMSPH_INLINE Lanes shear() const { return constant(SYMMETRIC<D> + 2); }
   TMSPH_INLINE Lanes chi() const { return constant(SYMMETRIC<D> + 3); }
-  TMSPH_INLINE Lanes thermal_strain() const
-  {
-    return row[Rows<D>::THERMAL] / row[Rows<D>::YOUNG];
-  }
+  TMSPH_INLINE Lanes thermal_strain() const { return row[Rows<D>::THERMAL] / row[Rows<D>::YOUNG]; }
   TMSPH_INLINE Matrix<D, Lanes> shape_inverse() const
   {
     Matrix<D, Lanes> K;
@@ -72,8 +69,8 @@ template <int D> struct Own {
 
 /// H_i = (sum W u' X^T) Kbar^-1
 template <int D, bool THERMAL>
-TMSPH_INLINE Matrix<D, Lanes> displacement_gradient(const Slices &bonds, int q,
-                                                    const Own<D> &own, const double *kinematic)
+TMSPH_INLINE Matrix<D, Lanes> displacement_gradient(const Slices &bonds, int q, const Own<D> &own,
+                                                    const double *kinematic)
 {
   Matrix<D, Lanes> A;
   for (int i = 0; i < D; i++)
@@ -138,8 +135,8 @@ void gradient(const Slices &bonds, int first, int last, const double *kinematic,
     const Matrix<D, Lanes> H = bonds.fit.empty()
         ? displacement_gradient<D, HEATED>(bonds, q, own, kinematic)
         : fitted_gradient<D, HEATED>(bonds, q, own, kinematic);
-    const Lanes thermal =
-        THERMAL == ThermalStrain::CONSTITUTIVE ? own.thermal_strain() : broadcast(0.0);
+    const Lanes thermal = THERMAL == ThermalStrain::CONSTITUTIVE ? own.thermal_strain()
+                                                                 : broadcast(0.0);
     const Matrix<D, Lanes> P = Law::first_piola(H, own.lambda(), own.shear(), thermal);
     if (out.inverted) {
       const Lanes J = determinant(deformation(H));
@@ -188,8 +185,7 @@ template <int D> struct ViscousRow {
   Lanes factor, rate;
 
   TMSPH_INLINE ViscousRow(double h, double alpha1, double alpha2, const Lanes *X, const Lanes *x,
-                          const Lanes *own, const Lanes *other, const Lanes *mine,
-                          const Lanes *his)
+                          const Lanes *own, const Lanes *other, const Lanes *mine, const Lanes *his)
   {
     using R = Rows<D>;
     Lanes r2 = x[0] * x[0], X2 = X[0] * X[0];
@@ -257,8 +253,7 @@ void force(const Slices &bonds, const Viscosity &viscosity, const double *kinema
         for (int i = 0; i < D; i++) t[i] *= bond.stretch;
       Lanes x[D];
       if constexpr (VISCOUS || VIRIAL)
-        for (int k = 0; k < D; k++)
-          x[k] = bond.X[k] + (other[R::U + k] - own.row[R::U + k]);
+        for (int k = 0; k < D; k++) x[k] = bond.X[k] + (other[R::U + k] - own.row[R::U + k]);
       if constexpr (VISCOUS) {
         const ViscousRow<D> viscous(h, alpha1, alpha2, bond.X, x, own.row, other, mine, his);
         for (int k = 0; k < D; k++) t[k] += viscous.factor * x[k];
@@ -299,8 +294,8 @@ double energies(const Slices &bonds, const double *kinematic, double *energy)
   for (int q = 0; q < bonds.count(); q++) {
     const Own<D> own(bonds, q, kinematic);
     const Matrix<D, Lanes> H = displacement_gradient<D, THERMAL>(bonds, q, own, kinematic);
-    const Lanes thermal =
-        MODE == ThermalStrain::CONSTITUTIVE ? own.thermal_strain() : broadcast(0.0);
+    const Lanes thermal = MODE == ThermalStrain::CONSTITUTIVE ? own.thermal_strain()
+                                                              : broadcast(0.0);
     Lanes penalty = broadcast(0.0), other[8];
     for (int b = bonds.offset[q]; b < bonds.offset[q + 1]; b++) {
       const size_t at = (size_t) b * LANES;
@@ -387,7 +382,7 @@ void virial_sweep(const Features &on, const Slices &bonds, const Viscosity &visc
 {
   with_features(on, [&](auto thermal, auto hourglass, auto viscous) {
     force<D, thermal(), hourglass(), viscous(), Sum::VIRIAL>(bonds, viscosity, kinematic, force_row,
-                                                      virial, 6, total);
+                                                             virial, 6, total);
   });
 }
 
@@ -403,7 +398,7 @@ void viscous_heat_sweep(const Features &on, const Slices &bonds, const Viscosity
 
 template <int D>
 double energy_sweep(const Features &on, const Slices &bonds, const double *kinematic,
-                  double *energy)
+                    double *energy)
 {
   double sum = 0.0;
   with_law(on, [&](auto law, auto thermal) {
@@ -421,9 +416,9 @@ template void force_sweep<2>(const Features &, const Slices &, const Viscosity &
 template void force_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
                              const double *, double *, int);
 template void virial_sweep<2>(const Features &, const Slices &, const Viscosity &, const double *,
-                             const double *, double *, double *);
+                              const double *, double *, double *);
 template void virial_sweep<3>(const Features &, const Slices &, const Viscosity &, const double *,
-                             const double *, double *, double *);
+                              const double *, double *, double *);
 template void viscous_heat_sweep<2>(const Features &, const Slices &, const Viscosity &,
                                     const double *, const double *, double *);
 template void viscous_heat_sweep<3>(const Features &, const Slices &, const Viscosity &,

@@ -66,20 +66,20 @@ template <int D> struct Rows {
   }
 };
 
-template <int D> constexpr int SYMMETRIC = D * (D + 1) / 2;    ///< entries of a symmetric matrix
+template <int D> constexpr int SYMMETRIC = D *(D + 1) / 2;      ///< entries of a symmetric matrix
 template <int D> constexpr int CONSTANTS = SYMMETRIC<D> + 4;    ///< Kbar^-1, V, lambda, mu, chi
 
 /** Bonds of a set of particles, packed eight particles to a slice ("sliced ELL"): bond number b of
     the eight stands in one row of eight partners and eight weights. Weight 0 is no bond.
     A singular particle has Kbar^-1 = 0 and chi = 0: it neither pulls nor resists. */
 struct Slices {
-  std::vector<int> particle;     ///< [slice][8] local index; pads repeat the slice's first
-  std::vector<int> valid;        ///< [slice] how many of the eight are real
-  std::vector<int> offset;       ///< [slice+1] first row of each slice
-  std::vector<int> partner;      ///< [row][8] local or ghost index
-  std::vector<float> weight;     ///< [row][8] W_ij; rounded to float once, the same for both ends
-  std::vector<double> own;       ///< [slice][CONSTANTS][8]
-  std::vector<float> averaging;  ///< [row][8] M_ij of tmsph_dilatation.h; empty: none
+  std::vector<int> particle;       ///< [slice][8] local index; pads repeat the slice's first
+  std::vector<int> valid;          ///< [slice] how many of the eight are real
+  std::vector<int> offset;         ///< [slice+1] first row of each slice
+  std::vector<int> partner;        ///< [row][8] local or ghost index
+  std::vector<float> weight;       ///< [row][8] W_ij; rounded to float once, the same for both ends
+  std::vector<double> own;         ///< [slice][CONSTANTS][8]
+  std::vector<float> averaging;    ///< [row][8] M_ij of tmsph_dilatation.h; empty: none
   /// [row][D][8] g_ij of another fit than the above, H_i = sum_j u'_ij g_ij^T; empty: none
   std::vector<double> fit;
 
@@ -96,7 +96,8 @@ struct Slices {
   size_t bytes() const
   {
     return (particle.capacity() + valid.capacity() + offset.capacity() + partner.capacity()) *
-        sizeof(int) + (weight.capacity() + averaging.capacity()) * sizeof(float) +
+        sizeof(int) +
+        (weight.capacity() + averaging.capacity()) * sizeof(float) +
         (own.capacity() + fit.capacity()) * sizeof(double);
   }
 };
@@ -168,7 +169,7 @@ void viscous_heat_sweep(const Features &on, const Slices &bonds, const Viscosity
     @return the sum over all particles */
 template <int D>
 double energy_sweep(const Features &on, const Slices &bonds, const double *kinematic,
-                  double *energy);
+                    double *energy);
 
 }    // namespace TMSPH
 #endif

@@ -45,8 +45,9 @@ void TMSPHTimestepCheck::check(const TMSPHMaterials &materials, const FixTMSPHBo
   if (!integrates || update->nsteps == 0) return;
   if (update->dt > stable_dt && !doubt.empty()) error->all(FLERR, "{}", doubt);
   if (update->dt > stable_dt)
-    error->all(FLERR, "The time step {} is above the stable one, {:.4g}: set 'timestep {:.2g}' or "
-                      "less",
+    error->all(FLERR,
+               "The time step {} is above the stable one, {:.4g}: set 'timestep {:.2g}' or "
+               "less",
                update->dt, stable_dt, FRACTURE_MARGIN * stable_dt);
   if (bonds_may_break && update->dt > FRACTURE_MARGIN * intact_dt && comm->me == 0)
     error->warning(FLERR,
@@ -54,8 +55,9 @@ void TMSPHTimestepCheck::check(const TMSPHMaterials &materials, const FixTMSPHBo
                    "below {:.4g}",
                    update->dt, FRACTURE_MARGIN * intact_dt);
   if (bonds_may_break && !materials.viscous() && comm->me == 0)
-    error->warning(FLERR, "Bonds that break without artificial viscosity can feed energy: add "
-                          "'viscosity 1 2' to pair_style tmsph");
+    error->warning(FLERR,
+                   "Bonds that break without artificial viscosity can feed energy: add "
+                   "'viscosity 1 2' to pair_style tmsph");
 }
 
 /* ----------------------------------------------------------------------

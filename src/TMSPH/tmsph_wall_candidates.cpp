@@ -111,8 +111,7 @@ Point TMSPHWallCandidates::position_of(int i) const
   Point near = {x[0], x[1], domain->dimension == 3 ? x[2] : 0.0};
   const Point wall = scene.motion.to_space(middle);
   for (int k = 0; k < 3; k++)
-    if (repeats[k])
-      near[k] += domain->prd[k] * std::round((wall[k] - near[k]) / domain->prd[k]);
+    if (repeats[k]) near[k] += domain->prd[k] * std::round((wall[k] - near[k]) / domain->prd[k]);
   return near;
 }
 
@@ -182,6 +181,5 @@ double TMSPHWallCandidates::speed() const
 void TMSPHWallCandidates::to_image_near(const Point &x, Point &p) const
 {
   for (int k = 0; k < domain->dimension; k++)
-    if (domain->periodicity[k])
-      p[k] += domain->prd[k] * std::round((x[k] - p[k]) / domain->prd[k]);
+    if (domain->periodicity[k]) p[k] += domain->prd[k] * std::round((x[k] - p[k]) / domain->prd[k]);
 }

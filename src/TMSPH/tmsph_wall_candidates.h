@@ -23,8 +23,7 @@ class TMSPHWallCandidates : protected Pointers {
     int i;
     TMSPH::Point shift;    // to the image
   };
-  TMSPHWallCandidates(class LAMMPS *lmp, const TMSPHWallScene &scene) :
-      Pointers(lmp), scene(scene)
+  TMSPHWallCandidates(class LAMMPS *lmp, const TMSPHWallScene &scene) : Pointers(lmp), scene(scene)
   {
   }
   std::vector<Candidate> images;    // images of a particle one after the other
@@ -48,12 +47,12 @@ class TMSPHWallCandidates : protected Pointers {
 
  private:
   const TMSPHWallScene &scene;
-  bool repeats[3] = {};              // the wall is there once in each period
-  TMSPH::Point middle{};             // of the wall
-  bool warned = false;               // of a wall longer than that
+  bool repeats[3] = {};     // the wall is there once in each period
+  TMSPH::Point middle{};    // of the wall
+  bool warned = false;      // of a wall longer than that
   double skin = 0.0, travel = 0.0;
-  double farthest = 0.0;             // from the pivot, when they were listed
-  TMSPHBondWatch watch;              // of the bonds when they were listed
+  double farthest = 0.0;                                    // from the pivot, when they were listed
+  TMSPHBondWatch watch;                                     // of the bonds when they were listed
   double way = 0.0, clearance = -HUGE_VAL, radius = 0.0;    // see measure_clearance()
 
   void find_periods();

@@ -34,9 +34,8 @@ void TMSPHWallCheck::warn(const TMSPHWallPlaces &places) const
   if (!scene.both_sides && all_behind()) {
     scene.pair->warn_once(
         fmt::format("Wall {} has all particles behind it: {}, or use 'side both'", scene.id,
-                    domain->dimension == 2
-                        ? "what it holds belongs to its left, so swap its ends"
-                        : "turn its normal to the particles"));
+                    domain->dimension == 2 ? "what it holds belongs to its left, so swap its ends"
+                                           : "turn its normal to the particles"));
     return;
   }
   const double deepest = places.overlap(ROUND_OFF);

@@ -18,7 +18,8 @@ class TMSPHWallCheck : protected Pointers {
  public:
   TMSPHWallCheck(class LAMMPS *lmp, const TMSPHWallScene &scene,
                  const TMSPHWallCandidates &candidates) :
-      Pointers(lmp), scene(scene), candidates(candidates)
+      Pointers(lmp),
+      scene(scene), candidates(candidates)
   {
   }
   /// the first of: it stands in the body, behind it, or overlaps its surface (collective)

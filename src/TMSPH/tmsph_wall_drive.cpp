@@ -81,8 +81,7 @@ void TMSPHWallDrive::read_rotation(TMSPHValues &values)
   if (domain->dimension == 3) {
     for (double &component : motion.axis) component = values.number();
     const double length = std::sqrt(dot(motion.axis, motion.axis));
-    if (!(length > 0.0))
-      error->all(FLERR, "The axis of fix tmsph/wall rotation has no length");
+    if (!(length > 0.0)) error->all(FLERR, "The axis of fix tmsph/wall rotation has no length");
     for (double &component : motion.axis) component /= length;
   }
   spin = number_or_variable(values);
@@ -101,8 +100,9 @@ void TMSPHWallDrive::read_load(TMSPHValues &values)
     if (is_free[a]) load[a] = number_or_variable(values);
   }
   if (!any)
-    error->all(FLERR, "All components of fix tmsph/wall load are NULL: give the force of at "
-                      "least one direction");
+    error->all(FLERR,
+               "All components of fix tmsph/wall load are NULL: give the force of at "
+               "least one direction");
   if (!values.word("mass"))
     error->all(FLERR,
                "Fix tmsph/wall load needs the mass of the wall after its {} components, "
@@ -136,8 +136,8 @@ double TMSPHWallDrive::value_of(Given &given)
   if (given.index < 0) return given.value;
   given.value = input->variable->compute_equal(given.index);
   if (!std::isfinite(given.value))
-    error->all(FLERR, "Variable {} of fix tmsph/wall {} is {} on step {}", given.variable,
-               scene.id, given.value, update->ntimestep);
+    error->all(FLERR, "Variable {} of fix tmsph/wall {} is {} on step {}", given.variable, scene.id,
+               given.value, update->ntimestep);
   return given.value;
 }
 
@@ -164,8 +164,8 @@ std::pair<double, double> TMSPHWallDrive::move(double duration)
   const RigidMotion before = motion;
   evaluate();
   for (int a = 0; a < 3; a++)
-    motion.shift[a] += duration * (is_free[a] ? motion.velocity[a]
-                                              : 0.5 * (before.velocity[a] + motion.velocity[a]));
+    motion.shift[a] += duration *
+        (is_free[a] ? motion.velocity[a] : 0.5 * (before.velocity[a] + motion.velocity[a]));
   motion.angle += duration * 0.5 * (before.spin + motion.spin);
   const Point &v = before.velocity, &w = motion.velocity;
   return {std::sqrt(std::max(dot(v, v), dot(w, w))),

@@ -54,11 +54,11 @@ class TMSPHWallDrive : protected Pointers {
     double value = 0.0;
   };
   TMSPHWallScene &scene;
-  Given velocity[3], spin;       // prescribed
-  Given load[3];                 // of directions that are free
+  Given velocity[3], spin;    // prescribed
+  Given load[3];              // of directions that are free
   bool is_free[3] = {};
-  double mass = 0.0;             // 0: no direction is free
-  bool varies = false;           // some input is a variable
+  double mass = 0.0;      // 0: no direction is free
+  bool varies = false;    // some input is a variable
 
   static Given number_or_variable(TMSPHValues &);
   void read_rotation(TMSPHValues &);

@@ -115,8 +115,7 @@ bool TMSPHWallPlaces::touch(const TMSPHWallCandidates::Candidate &c, Touching &t
   const Point body = scene.motion.to_body(t.x);
   const TMSPHWallMemory *memory = memories.find(atom->tag[c.i]);
   t.side = !scene.both_sides ? 1 : memory ? memory->side : scene.shape->side_of(body);
-  t.places =
-      scene.shape->touches(body, TMSPHWallScene::REACH * scene.gap(c.i), t.side, t.place);
+  t.places = scene.shape->touches(body, TMSPHWallScene::REACH * scene.gap(c.i), t.side, t.place);
   return t.places > 0;
 }
 
@@ -138,15 +137,13 @@ void TMSPHWallPlaces::predict(Touching &t, double dt) const
   const double ahead = scene.law.ahead(dt), gap = scene.gap(i);
   const Point v = scene.motion.velocity_at(t.x);
   double deepest = -gap;
-  for (int a = 0; a < 3; a++)
-    t.a[a] = atom->f[i][a] / atom->rmass[i] - drive.acceleration(a);
+  for (int a = 0; a < 3; a++) t.a[a] = atom->f[i][a] / atom->rmass[i] - drive.acceleration(a);
   for (int p = 0; p < t.places; p++) {
     t.place[p].normal = scene.motion.turned(t.place[p].normal);
     t.penetration[p] = t.predicted[p] = gap - t.place[p].gap;
     deepest = std::max(deepest, t.penetration[p]);
     for (int a = 0; a < 3; a++)
-      t.predicted[p] -=
-          t.place[p].normal[a] * ahead * (atom->v[i][a] - v[a] + ahead * t.a[a]);
+      t.predicted[p] -= t.place[p].normal[a] * ahead * (atom->v[i][a] - v[a] + ahead * t.a[a]);
   }
   t.stiffness = stiffness(i, deepest, dt > 0.0 ? dt : update->dt);
 }
@@ -182,8 +179,7 @@ void TMSPHWallPlaces::hold_one(const Touching &t, double dt, double dragged)
   if (scene.law.damping > 0.0 && dt > 0.0) {
     const Point wall = scene.motion.velocity_at(t.x);
     for (int p = 0; p < t.places; p++)
-      for (int a = 0; a < 3; a++)
-        closing[p] -= t.place[p].normal[a] * (atom->v[i][a] - wall[a]);
+      for (int a = 0; a < 3; a++) closing[p] -= t.place[p].normal[a] * (atom->v[i][a] - wall[a]);
   }
   const double cosine = t.places == 2 ? dot(t.place[0].normal, t.place[1].normal) : 0.0;
   hold_across(scene.law, k, q, k / m, t.places, cosine, t.predicted, closing, normal);
@@ -252,19 +248,17 @@ Point TMSPHWallPlaces::rub(const Touching &t, int p, double ahead, double q, dou
   const Point wall = scene.motion.velocity_at(t.x), origin = scene.motion.to_space(anchor.point);
   Point slip = {};
   for (int a = 0; a < domain->dimension; a++) {
-    slip[a] = t.x[a] - origin[a] +
-        ahead * (atom->v[i][a] - wall[a] + ahead * (t.a[a] + pushed[a] / m));
+    slip[a] =
+        t.x[a] - origin[a] + ahead * (atom->v[i][a] - wall[a] + ahead * (t.a[a] + pushed[a] / m));
   }
   const double along = dot(slip, place.normal);
   for (int a = 0; a < 3; a++) slip[a] -= along * place.normal[a];
   const double kt = scene.law.shear_ratio(TANGENTIAL) * k;
-  const Friction<3> friction =
-      hold_along<3>(kt, q * kt / k, scene.friction * normal, slip.data());
+  const Friction<3> friction = hold_along<3>(kt, q * kt / k, scene.friction * normal, slip.data());
   Point moved;
   for (int a = 0; a < 3; a++) moved[a] = origin[a] + friction.excess[a];
   anchor.point = scene.motion.to_body(moved);
-  totals.add_place(friction.work, t.penetration[p],
-                   held_energy<3>(k, kt, normal, friction.force));
+  totals.add_place(friction.work, t.penetration[p], held_energy<3>(k, kt, normal, friction.force));
 
   const Point centre = scene.motion.centre();
   Point arm, force;
@@ -274,8 +268,8 @@ Point TMSPHWallPlaces::rub(const Touching &t, int p, double ahead, double q, dou
   }
   for (int a = 0; a < 3; a++) {
     totals[Totals::FORCE + a] -= force[a];
-    totals[Totals::TORQUE + a] -= arm[(a + 1) % 3] * force[(a + 2) % 3] -
-        arm[(a + 2) % 3] * force[(a + 1) % 3];
+    totals[Totals::TORQUE + a] -=
+        arm[(a + 1) % 3] * force[(a + 2) % 3] - arm[(a + 2) % 3] * force[(a + 1) % 3];
   }
   return force;
 }

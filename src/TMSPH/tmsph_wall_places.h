@@ -27,9 +27,9 @@ struct TMSPHWallMemory {
     TMSPH::Point point;
   };
   double force[3] = {};
-  std::uint64_t stamp = 0;                   // fingerprint at the end of the run
-  int side = 0;                              // on which it touched first
-  int count = 0;                             // of anchors
+  std::uint64_t stamp = 0;    // fingerprint at the end of the run
+  int side = 0;               // on which it touched first
+  int count = 0;              // of anchors
   Anchor anchors[2] = {};
 
   /// doubles that pack() writes, and at most
@@ -46,8 +46,8 @@ class TMSPHWallPlaces : protected Pointers {
   TMSPHWallPlaces(class LAMMPS *lmp, const TMSPHWallScene &scene, const TMSPHWallDrive &drive,
                   const TMSPHWallCandidates &candidates, Memories &memories,
                   TMSPHContactTotals &totals) :
-      Pointers(lmp), scene(scene), drive(drive), candidates(candidates), memories(memories),
-      totals(totals)
+      Pointers(lmp),
+      scene(scene), drive(drive), candidates(candidates), memories(memories), totals(totals)
   {
   }
   void init();
@@ -71,11 +71,11 @@ class TMSPHWallPlaces : protected Pointers {
   /** A particle that may feel the wall in this step. */
   struct Touching {
     int i, places, side;
-    Point x;        // at its image
+    Point x;    // at its image
     TMSPH::WallTouch place[2];
     double predicted[2], penetration[2];
     double stiffness;
-    Point a;        // acceleration by all other forces, against the wall by its load
+    Point a;    // acceleration by all other forces, against the wall by its load
   };
 
   const TMSPHWallScene &scene;
@@ -84,7 +84,7 @@ class TMSPHWallPlaces : protected Pointers {
   Memories &memories;
   TMSPHContactTotals &totals;
   std::vector<Touching> touching;
-  std::vector<class Fix *> prescribing;      // that act after it
+  std::vector<class Fix *> prescribing;    // that act after it
 
   bool touch(const TMSPHWallCandidates::Candidate &, Touching &) const;
   void predict(Touching &, double dt) const;

@@ -65,8 +65,7 @@ std::unique_ptr<WallShape> TMSPHWallReader::read_plane(TMSPHValues &values) cons
   double n[6];
   for (double &number : n) number = values.number();
   const double length = std::sqrt(n[3] * n[3] + n[4] * n[4] + n[5] * n[5]);
-  if (!(length > 0.0))
-    error->all(FLERR, "The normal of the plane of fix tmsph/wall has no length");
+  if (!(length > 0.0)) error->all(FLERR, "The normal of the plane of fix tmsph/wall has no length");
   return std::make_unique<WallPlane>(Point{n[0], n[1], n[2]},
                                      Point{n[3] / length, n[4] / length, n[5] / length});
 }

@@ -25,15 +25,15 @@ struct TMSPHWallScene {
   static constexpr double REACH = 2.0;
 
   PairTMSPH *pair = nullptr;
-  std::string id;                              // of the fix
+  std::string id;    // of the fix
   int groupbit = 0;
-  std::unique_ptr<TMSPH::WallShape> shape;     // at the start
+  std::unique_ptr<TMSPH::WallShape> shape;    // at the start
   TMSPH::RigidMotion motion;
   bool turns = false;
   bool both_sides = false;
   TMSPH::ContactLaw law = TMSPH::CONTACT_LAWS[0];
   double friction = 0.0;
-  double stiffness = 1.0;                      // factor to the default
+  double stiffness = 1.0;    // factor to the default
 
   /// half a cell of local particle i
   double gap(int i) const

@@ -184,8 +184,7 @@ int WallPolyline::touches(const Point &point, double reach, int side, WallTouch 
     }
     if (along > s.length && next < 0 && gap >= 0.0) {
       const Point beyond = minus(d, scaled(s.length, s.along));
-      if (dot(beyond, beyond) < reach * reach)
-        hits.push_back(touch_corner(beyond, normal, 2 * n));
+      if (dot(beyond, beyond) < reach * reach) hits.push_back(touch_corner(beyond, normal, 2 * n));
     }
   }
   if (hits.empty()) return 0;
@@ -209,15 +208,17 @@ int WallPolyline::touches(const Point &point, double reach, int side, WallTouch 
   };
   found[0] = *least([](const WallTouch &) { return true; }, front ? 1.0 : -1.0);
   const double parallel = std::cos(CONCAVE * PI / 180.0);
-  const WallTouch *second = least([&](const WallTouch &h) {
-    return dot(h.normal, found[0].normal) <= parallel &&
-        ((in_front(h) && in_front(found[0])) || concave(h.piece, found[0].piece, side));
-  }, 1.0);
+  const WallTouch *second = least(
+      [&](const WallTouch &h) {
+        return dot(h.normal, found[0].normal) <= parallel &&
+            ((in_front(h) && in_front(found[0])) || concave(h.piece, found[0].piece, side));
+      },
+      1.0);
   const int places = second ? 2 : 1;
   if (second) found[1] = *second;
   for (int p = 0; p < places && copies; p++)
-    found[p].piece = found[p].piece % (int) segments.size() +
-        (found[p].piece < n ? 0 : (int) segments.size());
+    found[p].piece =
+        found[p].piece % (int) segments.size() + (found[p].piece < n ? 0 : (int) segments.size());
   return places;
 }
 
@@ -370,8 +371,8 @@ std::vector<Point> WallArc::picture(const Point & /*middle*/, double /*size*/) c
   std::vector<Point> corners;
   for (int k = 0; k <= pieces; k++) {
     const double angle = start + sweep * k / pieces;
-    corners.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle),
-                       0.0});
+    corners.push_back(
+        {centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0.0});
   }
   return corners;
 }

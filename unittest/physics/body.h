@@ -28,8 +28,7 @@ template <int D> using Vector = Eigen::Matrix<double, D, 1>;
 template <int D> using Square = Eigen::Matrix<double, D, D>;
 
 /// for TYPED_TEST_SUITE: each test in the plane and in space
-using Dimensions =
-    ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 struct DimensionName {
   template <class T> static std::string GetName(int) { return std::to_string(T::value) + "d"; }
 };
@@ -37,11 +36,11 @@ struct DimensionName {
 template <int D> struct Particle {
   Vector<D> X = Vector<D>::Zero(), u = X, v = X;
   double volume = 0.0, density = 0.0;
-  double thermal = 0.0;        ///< thermal strain a = alpha* (T - T0)
+  double thermal = 0.0;    ///< thermal strain a = alpha* (T - T0)
   TMSPH::Elastic material;
-  bool singular = false;       ///< too few bonds: neither pulls nor resists
+  bool singular = false;    ///< too few bonds: neither pulls nor resists
   int type = 0;
-  bool averaged = false;       ///< its material averages the dilatation
+  bool averaged = false;    ///< its material averages the dilatation
 };
 
 /** W(i, j) = V_i V_j w_ij rounded to float as the package does; 0 is no bond. */
@@ -51,9 +50,9 @@ template <int D> struct Body {
   double spacing = 0.0, horizon = 0.0;
 
   // of materials that average, see average()
-  Eigen::MatrixXf M;           ///< M_ij of the averaging
-  Eigen::MatrixXf across;      ///< W_ij of bonds across coupled interfaces, which are not in W
-  std::vector<double> depth;   ///< under the interface
+  Eigen::MatrixXf M;            ///< M_ij of the averaging
+  Eigen::MatrixXf across;       ///< W_ij of bonds across coupled interfaces, which are not in W
+  std::vector<double> depth;    ///< under the interface
 
   int size() const { return (int) p.size(); }
 
@@ -82,8 +81,9 @@ template <int D> struct Body {
     W = Eigen::MatrixXf::Zero(size(), size());
     for (int i = 0; i < size(); i++)
       for (int j = 0; j < i; j++)
-        W(i, j) = W(j, i) = (float) (p[i].volume * p[j].volume *
-            TMSPH::kernel_slope(kernel, D, (p[j].X - p[i].X).norm(), horizon));
+        W(i, j) = W(j, i) =
+            (float) (p[i].volume * p[j].volume *
+                     TMSPH::kernel_slope(kernel, D, (p[j].X - p[i].X).norm(), horizon));
   }
 
   /// sets up what averaging needs from the bonds that there are, and takes those across out of W
@@ -96,8 +96,7 @@ template <int D> struct Body {
       double own = 0.0, all = 0.0;
       for (int j = 0; j < size(); j++) {
         if (j != i && W(i, j) == 0.0f) continue;
-        const double value =
-            TMSPH::kernel_value(kernel, D, (p[j].X - p[i].X).norm(), horizon);
+        const double value = TMSPH::kernel_value(kernel, D, (p[j].X - p[i].X).norm(), horizon);
         const bool same = p[j].type == p[i].type;
         const bool coupled = !same && (p[i].averaged || p[j].averaged);
         if (same) own += p[j].volume * value;
@@ -116,8 +115,7 @@ template <int D> struct Body {
     strains are of the order of a per cent, velocities of a per cent of the wave speed: large
     against round-off, and large enough for every nonlinear term to show. */
 template <int D>
-Body<D> random_body(unsigned seed, TMSPH::Kernel kernel = TMSPH::WendlandC2(),
-                    double broken = 0.1)
+Body<D> random_body(unsigned seed, TMSPH::Kernel kernel = TMSPH::WendlandC2(), double broken = 0.1)
 {
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -175,8 +173,7 @@ template <int D> struct Layout {
       std::vector<int> family[LANES];
       for (int l = 0; l < valid; l++) {
         for (int j = 0; j < n; j++)
-          if (j != first + l &&
-              (body.p[j].X - body.p[first + l].X).norm() < body.horizon)
+          if (j != first + l && (body.p[j].X - body.p[first + l].X).norm() < body.horizon)
             family[l].push_back(j);
         rows = std::max(rows, family[l].size());
       }
@@ -193,8 +190,9 @@ template <int D> struct Layout {
           bonds.partner[bonds.at(q, l, b)] = here ? family[l][b] : i;
           bonds.weight[bonds.at(q, l, b)] = here ? body.W(i, family[l][b]) : 0.0f;
         }
-        if (l < valid) set_constants(body, hourglass, i, bonds.own.data() +
-                                     (size_t) q * TMSPH::CONSTANTS<D> * LANES + l);
+        if (l < valid)
+          set_constants(body, hourglass, i,
+                        bonds.own.data() + (size_t) q * TMSPH::CONSTANTS<D> * LANES + l);
       }
     }
     kinematic.assign((size_t) n * R::KINEMATIC, 0.0);

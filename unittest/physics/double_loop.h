@@ -15,13 +15,19 @@ namespace TMSPH_TEST {
 
 template <int D> struct Answer {
   std::vector<Vector<D>> force;
-  std::vector<Square<D>> F, cauchy;      ///< F without the thermal stretch of the bonds
-  std::vector<Square<D>> virial;         ///< half of -sum x_ij f_ij, symmetric part
+  std::vector<Square<D>> F, cauchy;    ///< F without the thermal stretch of the bonds
+  std::vector<Square<D>> virial;       ///< half of -sum x_ij f_ij, symmetric part
   std::vector<double> energy;
 };
 
-inline double size_of(double a) { return std::fabs(a); }
-template <class M> double size_of(const Eigen::MatrixBase<M> &a) { return a.norm(); }
+inline double size_of(double a)
+{
+  return std::fabs(a);
+}
+template <class M> double size_of(const Eigen::MatrixBase<M> &a)
+{
+  return a.norm();
+}
 
 template <class List> double largest_of(const List &list)
 {
@@ -74,8 +80,8 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
       const Square<D> elastic = F / (1.0 + a), T = elastic.transpose().inverse();
       const double volume = elastic.determinant();
       P = (mu * (elastic - T) + 0.5 * lambda * (volume * volume - 1.0) * T) / (1.0 + a);
-      density = 0.5 * mu * ((elastic.transpose() * elastic).trace() - D) -
-          mu * std::log(volume) + 0.25 * lambda * (volume * volume - 1.0 - 2.0 * std::log(volume));
+      density = 0.5 * mu * ((elastic.transpose() * elastic).trace() - D) - mu * std::log(volume) +
+          0.25 * lambda * (volume * volume - 1.0 - 2.0 * std::log(volume));
     } else {
       if (std::holds_alternative<TMSPH::StVenantKirchhoff>(on.law)) {
         e = green - a * one;
@@ -85,8 +91,7 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
         P = J * hooke() * F.transpose().inverse();
         scale = J;
       }
-      density = scale *
-          (0.5 * lambda * e.trace() * e.trace() + mu * (e.transpose() * e).trace());
+      density = scale * (0.5 * lambda * e.trace() * e.trace() + mu * (e.transpose() * e).trace());
     }
     double energy = V * density;
     for (int j = 0; j < n; j++)
@@ -106,8 +111,7 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
     const auto mean = [&](const std::vector<double> &value) {
       std::vector<double> result(value);
       for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++)
-          result[i] += body.M(i, j) / p[i].volume * (value[j] - value[i]);
+        for (int j = 0; j < n; j++) result[i] += body.M(i, j) / p[i].volume * (value[j] - value[i]);
       return result;
     };
     std::vector<double> theta(n, 0.0);
@@ -119,8 +123,7 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
     std::vector<double> pressure = mean(theta);
     for (int i = 0; i < n; i++) {
       if (p[i].averaged)
-        out.energy[i] +=
-            p[i].volume * 0.5 * p[i].material.lambda * pressure[i] * pressure[i];
+        out.energy[i] += p[i].volume * 0.5 * p[i].material.lambda * pressure[i] * pressure[i];
       pressure[i] *= p[i].averaged ? p[i].material.lambda : 0.0;
     }
     pressure = mean(pressure);
@@ -148,8 +151,8 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
       out.energy[i] += 0.25 * pull(i, j).dot(gap(i, j));
       const double s = body.depth[i] / (body.depth[i] + body.depth[j]);
       const double stretch = bond ? 1.0 + p[i].thermal : 1.0;
-      PK[i] -= s * stretch / p[i].volume * pull(i, j) * (p[j].X - p[i].X).transpose() *
-          inverse_of[i] ;
+      PK[i] -=
+          s * stretch / p[i].volume * pull(i, j) * (p[j].X - p[i].X).transpose() * inverse_of[i];
     }
 
   const double h = viscosity.smoothing_length;
@@ -160,7 +163,8 @@ Answer<D> double_loop(const Body<D> &body, const TMSPH::Features &on, double zet
       if (body.W(i, j) == 0.0f) continue;
       const Vector<D> X = p[j].X - p[i].X, x = p[j].X + p[j].u - p[i].X - p[i].u;
       Vector<D> t = ((PK[i] + PK[j]) * X + chi(i) * (y(i, j) - out.F[i] * X) +
-                     chi(j) * (y(i, j) - out.F[j] * X)) / stretch(i, j);
+                     chi(j) * (y(i, j) - out.F[j] * X)) /
+          stretch(i, j);
       if (on.viscosity) {
         const auto speed = [&](int k) {
           return std::sqrt(p[k].material.wave_modulus / p[k].density);

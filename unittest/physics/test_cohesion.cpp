@@ -30,9 +30,7 @@ TYPED_TEST(Cohesion, area_is_the_integral_of_the_traction)
   for (int k = 0; k < n; k++) {
     const double a = (double) k / n, b = (k + 1.0) / n;
     sum += 0.5 * (TypeParam::traction(a) + TypeParam::traction(b)) / n;
-    if (k % 1000 == 0) {
-      EXPECT_NEAR(TypeParam::area(b), sum, 1e-12) << b;
-    }
+    if (k % 1000 == 0) { EXPECT_NEAR(TypeParam::area(b), sum, 1e-12) << b; }
   }
   EXPECT_EQ(TypeParam::traction(0.0), 1.0);
   EXPECT_EQ(TypeParam::traction(1.0), 0.0);
@@ -55,9 +53,7 @@ TYPED_TEST(Cohesion, opening_is_where_the_line_meets_the_law)
     const double x = TypeParam::opening(q, k);
     ASSERT_GE(x, 0.0);
     ASSERT_LE(x, 1.0);
-    if (x < 1.0) {
-      EXPECT_NEAR(q - k * x, TypeParam::traction(x), 1e-12 * (q + k));
-    }
+    if (x < 1.0) { EXPECT_NEAR(q - k * x, TypeParam::traction(x), 1e-12 * (q + k)); }
     for (int m = 1; m < 50; m++) {    // and the first place: the line is above the law before it
       const double before = x * m / 50.0;
       EXPECT_GE(q - k * before, TypeParam::traction(before) - 1e-12 * (q + k));
@@ -110,9 +106,7 @@ TYPED_TEST(Cohesion, full_opening_takes_the_fracture_energy)
     work += 0.5 * (t + last) * (u - before);
     last = t;
     before = u;
-    if (o.now > 0.0 && o.now < o.end) {
-      EXPECT_NEAR(t, traction(this->law, o), 1e-3 * o.strength);
-    }
+    if (o.now > 0.0 && o.now < o.end) { EXPECT_NEAR(t, traction(this->law, o), 1e-3 * o.strength); }
   }
   const double fracture = TypeParam::area(1.0) * o.strength * o.end;
   EXPECT_NEAR(dissipated_energy(this->law, o), fracture, 1e-12);

@@ -67,8 +67,7 @@ TYPED_TEST(Conduction, isotropic_limit)
 {
   constexpr int D = TestFixture::D;
   const DirectionalConductivity<D> k(Square<D>(3.7 * Square<D>::Identity()));
-  for (int n = 0; n < 20; n++)
-    EXPECT_NEAR(k(Vector<D>::Random().normalized()), 3.7, 1e-13);
+  for (int n = 0; n < 20; n++) EXPECT_NEAR(k(Vector<D>::Random().normalized()), 3.7, 1e-13);
 }
 
 TYPED_TEST(Conduction, positive_in_all_directions)

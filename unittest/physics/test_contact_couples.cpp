@@ -98,8 +98,7 @@ template <int D> void ContactCouples::derivative(const Eigen::Matrix<double, D, 
 
 TEST_F(ContactCouples, DerivativesOfTheEnergyInThePlane)
 {
-  for (int n = 0; n < 300; n++)
-    derivative<2>(Eigen::Matrix2d::Identity() + random<2, 2>(0.1));
+  for (int n = 0; n < 300; n++) derivative<2>(Eigen::Matrix2d::Identity() + random<2, 2>(0.1));
 }
 
 // In 3-D the tangents turn by the polar decomposition, whose rate is the skew part of the

@@ -120,10 +120,10 @@ TEST(ContactAnchors, GoFromPieceToPiece)
   };
   EXPECT_EQ(find(3, 2, 0, 0), 1);
   EXPECT_EQ(find(7, 2, 0, 0), 0);
-  EXPECT_EQ(find(7, 2, 1, 0), -1);     // another place has it
-  EXPECT_EQ(find(5, 2, 0, 0), -1);     // in a corner each has its own
+  EXPECT_EQ(find(7, 2, 1, 0), -1);    // another place has it
+  EXPECT_EQ(find(5, 2, 0, 0), -1);    // in a corner each has its own
   EXPECT_EQ(find(5, 1, 0, 0), 0);
-  EXPECT_EQ(find(3, 1, 0, 0), 1);      // its own first
+  EXPECT_EQ(find(3, 1, 0, 0), 1);    // its own first
   EXPECT_EQ(find(5, 1, 1, 0), 1);
   EXPECT_EQ(anchor_for(0, nullptr, 1, [](int) { return true; }), -1);
 }

@@ -120,7 +120,13 @@ TEST(ContactRefit, SameSurfaceKeepsItsPast)
   EXPECT_NEAR(next.worn, past.worn, 1.0e-14);
 }
 
-TEST(ContactRefit, EnergyNeverRises2D) { keeps_energy<2>(); }
-TEST(ContactRefit, EnergyNeverRises3D) { keeps_energy<3>(); }
+TEST(ContactRefit, EnergyNeverRises2D)
+{
+  keeps_energy<2>();
+}
+TEST(ContactRefit, EnergyNeverRises3D)
+{
+  keeps_energy<3>();
+}
 
 }    // namespace

@@ -65,9 +65,7 @@ class AnyCriterion : public ::testing::TestWithParam<Case> {
   void check(const Principals &e, double o)
   {
     EXPECT_FALSE(fails(times(e, o > 0.0 ? (1.0 - 1.0e-9) / o : 1.0e9), strength));
-    if (o > 0.0) {
-      EXPECT_TRUE(fails(times(e, (1.0 + 1.0e-9) / o), strength));
-    }
+    if (o > 0.0) { EXPECT_TRUE(fails(times(e, (1.0 + 1.0e-9) / o), strength)); }
   }
 
   Eigen::Matrix3d random_stress(double scale)
@@ -96,9 +94,7 @@ TEST_P(AnyCriterion, words)
     EXPECT_FALSE(word.allows(-1.0)) << word.name;
     EXPECT_FALSE(word.allows(std::nan(""))) << word.name;
     EXPECT_GT(std::string(word.rule).size(), 0u) << word.name;
-    if (word.standard != REQUIRED) {
-      EXPECT_TRUE(word.allows(word.standard)) << word.name;
-    }
+    if (word.standard != REQUIRED) { EXPECT_TRUE(word.allows(word.standard)) << word.name; }
   }
 }
 

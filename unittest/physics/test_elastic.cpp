@@ -161,8 +161,8 @@ TYPED_TEST(Elasticity, no_cancellation_at_small_strain)
   const double strain = 1.0e-9;
   Square<D> H = Square<D>::Zero();
   H(0, 0) = strain;
-  const double exact = (this->m.lambda + 2.0 * this->m.shear) * (strain + 0.5 * strain * strain) *
-      (1.0 + strain);
+  const double exact =
+      (this->m.lambda + 2.0 * this->m.shear) * (strain + 0.5 * strain * strain) * (1.0 + strain);
   EXPECT_NEAR(this->template first_piola_of<StVenantKirchhoff>(H, 0.0)(0, 0) / exact, 1.0, 1.0e-14);
   // mu (F - 1/F) + lambda/2 (F^2 - 1)/F with F = 1 + strain, to the second order
   const double neo = 2.0 * this->m.shear * (strain - 0.5 * strain * strain) +
@@ -216,7 +216,9 @@ TYPED_TEST(Elasticity, almansi_is_its_definition)
     EXPECT_LT((this->template cauchy_of<AlmansiHooke>(H, thermal) - sigma).norm(),
               1.0e-14 * 10.0 * YOUNG);
     EXPECT_LT((this->template first_piola_of<AlmansiHooke>(H, thermal) -
-               J * sigma * F.transpose().inverse()).norm(), 1.0e-14 * 10.0 * YOUNG);
+               J * sigma * F.transpose().inverse())
+                  .norm(),
+              1.0e-14 * 10.0 * YOUNG);
   }
 }
 

@@ -72,8 +72,7 @@ TEST_F(Flaws, arc)
       double angle = std::atan2(at(s)[1], at(s)[0]) - start;
       while (angle < 0.0) angle += turn;
       while (angle >= turn) angle -= turn;
-      for (double end : {0.0, sweep, turn})
-        doubtful = doubtful || std::fabs(angle - end) < 0.02;
+      for (double end : {0.0, sweep, turn}) doubtful = doubtful || std::fabs(angle - end) < 0.02;
       expected = expected || angle < sweep;
     }
     if (doubtful) continue;

@@ -65,8 +65,8 @@ TEST_P(Rocks, constants)
 TEST_P(Rocks, strengths)
 {
   const double c = compression(), t = tension(), b = biaxial_tension();
-  for (const Principals &e : {Principals{0.0, 0.0, -c}, Principals{t, 0.0, 0.0},
-                              Principals{b, b, b}}) {
+  for (const Principals &e :
+       {Principals{0.0, 0.0, -c}, Principals{t, 0.0, 0.0}, Principals{b, b, b}}) {
     for (double above : {1.0 + 1.0e-10, 1.001, 2.0, 100.0})
       EXPECT_TRUE(rock.fails(times(e, above), SIGMA_C)) << e.largest << " " << e.smallest;
     for (double below : {1.0 - 1.0e-10, 0.999, 0.5, 0.0})

@@ -124,8 +124,8 @@ TEST_P(Kernels, support)
 // w scales as length^-(d+2)
 TEST_P(Kernels, scales_with_length)
 {
-  const double ratio = kernel_slope(kernel, dimension, 0.7, 2.0) /
-      kernel_slope(kernel, dimension, 0.35, 1.0);
+  const double ratio =
+      kernel_slope(kernel, dimension, 0.7, 2.0) / kernel_slope(kernel, dimension, 0.35, 1.0);
   EXPECT_NEAR(ratio * std::pow(2.0, dimension + 2), 1.0, 1.0e-14);    // round-off
 }
 
@@ -135,7 +135,7 @@ std::string name_of(const ::testing::TestParamInfo<Kernels::ParamType> &info)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Kernels,
-                         ::testing::Combine(::testing::ValuesIn(names()),
-                                            ::testing::Values(2, 3)), name_of);
+                         ::testing::Combine(::testing::ValuesIn(names()), ::testing::Values(2, 3)),
+                         name_of);
 
 }    // namespace

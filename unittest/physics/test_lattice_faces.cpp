@@ -32,8 +32,7 @@ template <int D> Eigen::Matrix<double, D, D> turn()
 }
 
 /// family of the particle at the origin of a turned lattice of unit spacing, of those inside
-template <int D>
-LatticeFaces<D> family(const std::function<bool(const int *)> &inside)
+template <int D> LatticeFaces<D> family(const std::function<bool(const int *)> &inside)
 {
   LatticeFaces<D> all(HORIZON);
   const int n = 3;
@@ -62,9 +61,8 @@ const Layer<D> *along(const LatticeFaces<D> &faces, Eigen::Matrix<double, D, 1> 
 template <int D> void check_corner()
 {
   for (int depth = 0; depth < 3; depth++) {
-    auto faces = family<D>([&](const int *x) {
-      return x[0] <= depth && x[1] <= 0 && (D == 2 || x[2] <= 1);
-    });
+    auto faces = family<D>(
+        [&](const int *x) { return x[0] <= depth && x[1] <= 0 && (D == 2 || x[2] <= 1); });
     ASSERT_TRUE(faces.find(weight));
     ASSERT_EQ(faces.found().size(), (size_t) D);
     for (int a = 0; a < D; a++) {
@@ -91,16 +89,13 @@ template <int D> void check_rows(int rows)
   const Eigen::Matrix<double, D, 1> up = Eigen::Matrix<double, D, 1>::Unit(D - 1);
   double pull = 0.0, tangential = 0.0, full = 0.0;
   for (int depth = 0; depth < rows; depth++) {
-    auto faces = family<D>([&](const int *x) {
-      return x[D - 1] <= depth && x[D - 1] > depth - rows;
-    });
+    auto faces =
+        family<D>([&](const int *x) { return x[D - 1] <= depth && x[D - 1] > depth - rows; });
     ASSERT_TRUE(faces.find(weight));
     ASSERT_EQ(faces.found().size(), 1u);
     const Layer<D> *layer = along<D>(faces, up);
     ASSERT_TRUE(layer);
-    if (layer->below > 0.0) {
-      EXPECT_NEAR(layer->above + layer->below, rows, 1e-12);
-    }
+    if (layer->below > 0.0) { EXPECT_NEAR(layer->above + layer->below, rows, 1e-12); }
     pull += layer->missing;
     full = faces.second_moment(weight) / D;
     for (int x = -3; x <= 3; x++)

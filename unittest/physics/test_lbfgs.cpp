@@ -47,8 +47,9 @@ int minimize(Numbers &x, const std::function<Numbers(const Numbers &)> &force, d
          evaluations < 100000) {
     Numbers d = f;
     LBFGS::Vector direction = {d.data(), 0.0};
-    lbfgs.direction(n, direction, [&](int k) { return s[k].data(); },
-                    [&](int k) { return y[k].data(); }, product, precondition);
+    lbfgs.direction(
+        n, direction, [&](int k) { return s[k].data(); }, [&](int k) { return y[k].data(); },
+        product, precondition);
     const double slope = product(direction, {f.data(), 0.0});
     double length = lbfgs.known() ? 1.0 : 1e-4, there;
     Numbers to(n), after;
@@ -99,10 +100,10 @@ TEST(LBFGS, TheNewestPairIsReproduced)
     lbfgs.take(0.0, 0.0, work, square);
     Numbers d = y[k];
     LBFGS::Vector v = {d.data(), 0.0};
-    lbfgs.direction(n, v, [&](int slot) { return s[slot].data(); },
-                    [&](int slot) { return y[slot].data(); },
-                    [](const LBFGS::Vector &a, const LBFGS::Vector &b) { return dot(a, b, n); },
-                    [](LBFGS::Vector &) {});
+    lbfgs.direction(
+        n, v, [&](int slot) { return s[slot].data(); }, [&](int slot) { return y[slot].data(); },
+        [](const LBFGS::Vector &a, const LBFGS::Vector &b) { return dot(a, b, n); },
+        [](LBFGS::Vector &) {});
     for (int i = 0; i < n; i++) EXPECT_NEAR(d[i], s[k][i], 1e-12);
   }
 }
@@ -253,12 +254,17 @@ template <int D> void homogeneous()
     for (int a = 0; a < D; a++) found[a][b] = (displacement(up, a) - displacement(down, a)) / 0.6;
   }
   for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++)
-      EXPECT_NEAR(0.5 * (found[a][b] + found[b][a]), strain[a][b], 1e-6);
+    for (int b = 0; b < D; b++) EXPECT_NEAR(0.5 * (found[a][b] + found[b][a]), strain[a][b], 1e-6);
 }
 
-TEST(CoarseGrid, HomogeneousStrain2D) { homogeneous<2>(); }
-TEST(CoarseGrid, HomogeneousStrain3D) { homogeneous<3>(); }
+TEST(CoarseGrid, HomogeneousStrain2D)
+{
+  homogeneous<2>();
+}
+TEST(CoarseGrid, HomogeneousStrain3D)
+{
+  homogeneous<3>();
+}
 
 TEST(CoarseGrid, PeriodicPlacesWrapAround)
 {

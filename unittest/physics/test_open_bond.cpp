@@ -56,8 +56,7 @@ template <int D> OpenFit<D> some_fit()
 template <int D> Column<D> force(const OpenFit<D> &fit, int n)
 {
   const auto &b = fit.bonds[n];
-  return b.weight *
-      (fit.B_turning * b.X + fit.chi * (b.u - b.open * (fit.rotation * b.normal)));
+  return b.weight * (fit.B_turning * b.X + fit.chi * (b.u - b.open * (fit.rotation * b.normal)));
 }
 
 /// central differences of an energy of order 1: truncation h^2, rounding 1e-16/h
@@ -96,8 +95,9 @@ template <int D> void traction_is_derivative()
                                             b.normal.data(), b.weight, b.open);
     EXPECT_NEAR(traction, -(energy[1] - energy[0]) / (2.0 * STEP), AGREE);
     const Column<D> X = -b.X, u = -b.u, N = -b.normal;
-    EXPECT_EQ(traction, end_traction<D>(R.data(), B.data(), fit.chi, X.data(), u.data(), N.data(),
-                                        b.weight, b.open));
+    EXPECT_EQ(traction,
+              end_traction<D>(R.data(), B.data(), fit.chi, X.data(), u.data(), N.data(), b.weight,
+                              b.open));
   }
 }
 
@@ -115,11 +115,29 @@ template <int D> void no_torque()
   EXPECT_LT(torque.norm(), 1.0e-14 * size);
 }
 
-TEST(OpenBond, ForcesAreDerivatives2d) { forces_are_derivatives<2>(); }
-TEST(OpenBond, ForcesAreDerivatives3d) { forces_are_derivatives<3>(); }
-TEST(OpenBond, TractionIsDerivative2d) { traction_is_derivative<2>(); }
-TEST(OpenBond, TractionIsDerivative3d) { traction_is_derivative<3>(); }
-TEST(OpenBond, NoTorque2d) { no_torque<2>(); }
-TEST(OpenBond, NoTorque3d) { no_torque<3>(); }
+TEST(OpenBond, ForcesAreDerivatives2d)
+{
+  forces_are_derivatives<2>();
+}
+TEST(OpenBond, ForcesAreDerivatives3d)
+{
+  forces_are_derivatives<3>();
+}
+TEST(OpenBond, TractionIsDerivative2d)
+{
+  traction_is_derivative<2>();
+}
+TEST(OpenBond, TractionIsDerivative3d)
+{
+  traction_is_derivative<3>();
+}
+TEST(OpenBond, NoTorque2d)
+{
+  no_torque<2>();
+}
+TEST(OpenBond, NoTorque3d)
+{
+  no_torque<3>();
+}
 
 }    // namespace

@@ -81,9 +81,15 @@ void check(bool hexagonal, double jitter)
 
 }    // namespace
 
-TEST(Outline, Square) { check(false, 0.0); }
+TEST(Outline, Square)
+{
+  check(false, 0.0);
+}
 
-TEST(Outline, Hexagonal) { check(true, 0.0); }
+TEST(Outline, Hexagonal)
+{
+  check(true, 0.0);
+}
 
 TEST(Outline, Displaced)
 {

@@ -67,8 +67,7 @@ TEST(Random, pairs_of_neighbors_are_even)
 {
   const std::vector<double> u = sample(99);
   std::vector<int> cell(400, 0);
-  for (int k = 0; k + 1 < N; k += 2)
-    cell[(int) (20.0 * u[k]) + 20 * (int) (20.0 * u[k + 1])]++;
+  for (int k = 0; k + 1 < N; k += 2) cell[(int) (20.0 * u[k]) + 20 * (int) (20.0 * u[k + 1])]++;
   double chi2 = 0.0;
   const double expected = 0.5 * N / cell.size();
   for (int count : cell) chi2 += (count - expected) * (count - expected) / expected;
@@ -138,7 +137,8 @@ TEST(Random, weibull_moments)
     }
     EXPECT_LT(std::fabs(sum / N), 4.5 * std::sqrt(variance / N)) << modulus;
     EXPECT_LT(std::fabs(squares / N - variance),
-              4.5 * std::sqrt((fourth - variance * variance) / N)) << modulus;
+              4.5 * std::sqrt((fourth - variance * variance) / N))
+        << modulus;
   }
 }
 

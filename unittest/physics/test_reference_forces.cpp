@@ -149,10 +149,9 @@ template <int D> void check(const std::map<std::string, Lines> &yaml, const std:
     if (word.at(2) != "elastic") continue;
     std::map<std::string, double> option;
     for (size_t k = 5; k + 1 < word.size(); k += 2) option[word[k]] = std::stod(word[k + 1]);
-    materials[std::stoi(word[0])] = {
-        elastic_constants(D, scene.plane, std::stod(word[3]), std::stod(word[4]),
-                          option["expansion"]),
-        option["density"], option["reference"]};
+    materials[std::stoi(word[0])] = {elastic_constants(D, scene.plane, std::stod(word[3]),
+                                                       std::stod(word[4]), option["expansion"]),
+                                     option["density"], option["reference"]};
   }
 
   // a periodic body is repeated twice to each side: the bonds of bonds stay inside
@@ -218,7 +217,8 @@ template <int D> void check(const std::map<std::string, Lines> &yaml, const std:
       const Words row = split(yaml.at(when + "_forces")[i]);    // id fx fy fz, by id as the data
       for (int k = 0; k < 3; k++)
         EXPECT_NEAR(std::stod(row.at(1 + k)), k < D ? exact.force[at][std::min(k, D - 1)] : 0.0,
-                    tolerance * largest) << "particle " << row[0];
+                    tolerance * largest)
+            << "particle " << row[0];
       energy += exact.energy[at];
       virial += exact.virial[at];
     }

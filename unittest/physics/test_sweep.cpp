@@ -79,8 +79,7 @@ template <class Dimension> class Sweep : public ::testing::Test {
   template <class FN> void for_all_features(FN fn, const std::vector<ElasticLaw> &laws)
   {
     for (const ElasticLaw &law : laws)
-      for (auto thermal :
-           {ThermalStrain::NONE, ThermalStrain::BOND, ThermalStrain::CONSTITUTIVE})
+      for (auto thermal : {ThermalStrain::NONE, ThermalStrain::BOND, ThermalStrain::CONSTITUTIVE})
         for (bool hourglass : {false, true})
           for (bool viscous : {false, true}) {
             SCOPED_TRACE(::testing::Message()
@@ -120,23 +119,25 @@ TYPED_TEST(Sweep, equals_the_double_loop)
   for (const auto &each : kernels()) {
     Body<D> body = random_body<D>(2, each.second);
     body.p[4].singular = body.p[17].singular = true;
-    this->for_all_features([&](const Features &on, double zeta, const Viscosity &viscosity) {
-      const Swept<D> swept(body, on, zeta, viscosity);
-      const Answer<D> exact = double_loop(body, on, zeta, viscosity);
-      const double largest = largest_of(exact.force);
-      const double stress = largest_of(exact.cauchy), energy = largest_of(exact.energy);
-      const double virial = largest_of(exact.virial);
-      for (int i = 0; i < body.size(); i++) {
-        EXPECT_LT((swept.f(i) - exact.force[i]).norm(), 1.0e-12 * largest) << i;
-        const Square<D> F = swept.H(i) + Square<D>::Identity();
-        EXPECT_LT((F - exact.F[i]).norm(), 1.0e-12);
-        const Square<D> sigma = symmetric<D>(swept.stress.data() + STRESS_ROW<D> * i, D);
-        EXPECT_LT((sigma - exact.cauchy[i]).norm(), 1.0e-12 * stress);
-        EXPECT_NEAR(swept.energy[i], exact.energy[i], 1.0e-12 * energy);
-        EXPECT_LT((symmetric<D>(swept.virial.data() + 6 * i, 3) - exact.virial[i]).norm(),
-                  1.0e-12 * virial);
-      }
-    }, this->all);
+    this->for_all_features(
+        [&](const Features &on, double zeta, const Viscosity &viscosity) {
+          const Swept<D> swept(body, on, zeta, viscosity);
+          const Answer<D> exact = double_loop(body, on, zeta, viscosity);
+          const double largest = largest_of(exact.force);
+          const double stress = largest_of(exact.cauchy), energy = largest_of(exact.energy);
+          const double virial = largest_of(exact.virial);
+          for (int i = 0; i < body.size(); i++) {
+            EXPECT_LT((swept.f(i) - exact.force[i]).norm(), 1.0e-12 * largest) << i;
+            const Square<D> F = swept.H(i) + Square<D>::Identity();
+            EXPECT_LT((F - exact.F[i]).norm(), 1.0e-12);
+            const Square<D> sigma = symmetric<D>(swept.stress.data() + STRESS_ROW<D> * i, D);
+            EXPECT_LT((sigma - exact.cauchy[i]).norm(), 1.0e-12 * stress);
+            EXPECT_NEAR(swept.energy[i], exact.energy[i], 1.0e-12 * energy);
+            EXPECT_LT((symmetric<D>(swept.virial.data() + 6 * i, 3) - exact.virial[i]).norm(),
+                      1.0e-12 * virial);
+          }
+        },
+        this->all);
   }
 }
 
@@ -146,25 +147,27 @@ TYPED_TEST(Sweep, momentum_is_conserved)
 {
   constexpr int D = TestFixture::D;
   const Body<D> body = random_body<D>(3);
-  this->for_all_features([&](const Features &on, double zeta, const Viscosity &viscosity) {
-    const Swept<D> swept(body, on, zeta, viscosity);
-    Vector<D> sum = Vector<D>::Zero(), center = sum;
-    for (const auto &p : body.p) center += (p.X + p.u) / body.size();
-    Square<D> moment = Square<D>::Zero(), virial = moment;
-    double forces = 0.0, arms = 0.0;
-    for (int i = 0; i < body.size(); i++) {
-      const Vector<D> x = body.p[i].X + body.p[i].u - center;
-      sum += swept.f(i);
-      moment += x * swept.f(i).transpose();
-      forces += swept.f(i).norm();
-      arms += x.norm() * swept.f(i).norm();
-      virial += symmetric<D>(swept.virial.data() + 6 * i, 3);
-    }
-    ASSERT_GT(forces, 0.0);
-    EXPECT_LT(sum.norm() / forces, 1.0e-14);
-    EXPECT_LT((moment - moment.transpose()).norm() / arms, 1.0e-13);
-    EXPECT_LT((0.5 * (moment + moment.transpose()) - virial).norm() / arms, 1.0e-13);
-  }, this->all);
+  this->for_all_features(
+      [&](const Features &on, double zeta, const Viscosity &viscosity) {
+        const Swept<D> swept(body, on, zeta, viscosity);
+        Vector<D> sum = Vector<D>::Zero(), center = sum;
+        for (const auto &p : body.p) center += (p.X + p.u) / body.size();
+        Square<D> moment = Square<D>::Zero(), virial = moment;
+        double forces = 0.0, arms = 0.0;
+        for (int i = 0; i < body.size(); i++) {
+          const Vector<D> x = body.p[i].X + body.p[i].u - center;
+          sum += swept.f(i);
+          moment += x * swept.f(i).transpose();
+          forces += swept.f(i).norm();
+          arms += x.norm() * swept.f(i).norm();
+          virial += symmetric<D>(swept.virial.data() + 6 * i, 3);
+        }
+        ASSERT_GT(forces, 0.0);
+        EXPECT_LT(sum.norm() / forces, 1.0e-14);
+        EXPECT_LT((moment - moment.transpose()).norm() / arms, 1.0e-13);
+        EXPECT_LT((0.5 * (moment + moment.transpose()) - virial).norm() / arms, 1.0e-13);
+      },
+      this->all);
 }
 
 // required 1e-6. The energy is of fourth degree in u: with a step of 1e-5 spacings the truncation
@@ -173,28 +176,30 @@ TYPED_TEST(Sweep, forces_are_the_gradient_of_the_energy)
 {
   constexpr int D = TestFixture::D;
   for (const auto &each : kernels())
-    this->for_all_features([&](const Features &on, double zeta, const Viscosity &) {
-      if (on.viscosity) return;
-      Body<D> body = random_body<D>(4, each.second, 0.3);
-      const Swept<D> swept(body, on, zeta, {});
-      const double step = 1.0e-5 * body.spacing, largest = swept.largest_force(body.size());
-      Layout<D> layout(body, zeta);
-      std::vector<double> energy(body.size());
-      for (int i = 0; i < body.size(); i++)
-        for (int k = 0; k < D; k++) {
-          double &u = layout.kinematic[i * Rows<D>::KINEMATIC + Rows<D>::U + k];
-          const double before = u;
-          double total[2];
-          for (int side : {0, 1}) {
-            u = before + (side ? step : -step);
-            energy_sweep<D>(on, layout.bonds, layout.kinematic.data(), energy.data());
-            total[side] = std::accumulate(energy.begin(), energy.end(), 0.0);
-          }
-          u = before;
-          const double slope = (total[1] - total[0]) / (2.0 * step);
-          EXPECT_NEAR(swept.f(i)[k], -slope, 1.0e-6 * largest) << i;
-        }
-    }, this->hyperelastic);
+    this->for_all_features(
+        [&](const Features &on, double zeta, const Viscosity &) {
+          if (on.viscosity) return;
+          Body<D> body = random_body<D>(4, each.second, 0.3);
+          const Swept<D> swept(body, on, zeta, {});
+          const double step = 1.0e-5 * body.spacing, largest = swept.largest_force(body.size());
+          Layout<D> layout(body, zeta);
+          std::vector<double> energy(body.size());
+          for (int i = 0; i < body.size(); i++)
+            for (int k = 0; k < D; k++) {
+              double &u = layout.kinematic[i * Rows<D>::KINEMATIC + Rows<D>::U + k];
+              const double before = u;
+              double total[2];
+              for (int side : {0, 1}) {
+                u = before + (side ? step : -step);
+                energy_sweep<D>(on, layout.bonds, layout.kinematic.data(), energy.data());
+                total[side] = std::accumulate(energy.begin(), energy.end(), 0.0);
+              }
+              u = before;
+              const double slope = (total[1] - total[0]) / (2.0 * step);
+              EXPECT_NEAR(swept.f(i)[k], -slope, 1.0e-6 * largest) << i;
+            }
+        },
+        this->hyperelastic);
 }
 
 // A body of two rocks that is heated evenly rests at the stretch 1 + a with the thermal bond, and
@@ -228,18 +233,20 @@ TYPED_TEST(Sweep, pads_and_slices_do_not_matter)
 {
   constexpr int D = TestFixture::D;
   const Body<D> body = random_body<D>(6);
-  this->for_all_features([&](const Features &on, double zeta, const Viscosity &viscosity) {
-    const Swept<D> full(body, on, zeta, viscosity);
-    for (int lanes : {1, 3, 7}) {
-      const Swept<D> padded(body, on, zeta, viscosity, lanes);
-      EXPECT_EQ(padded.force, full.force);    // false for NaN
-      EXPECT_EQ(padded.virial, full.virial);
-      EXPECT_EQ(padded.stress, full.stress);
-      EXPECT_EQ(padded.gradient, full.gradient);
-      EXPECT_EQ(padded.energy, full.energy);
-      EXPECT_EQ(padded.inverted, -1);
-    }
-  }, this->all);
+  this->for_all_features(
+      [&](const Features &on, double zeta, const Viscosity &viscosity) {
+        const Swept<D> full(body, on, zeta, viscosity);
+        for (int lanes : {1, 3, 7}) {
+          const Swept<D> padded(body, on, zeta, viscosity, lanes);
+          EXPECT_EQ(padded.force, full.force);    // false for NaN
+          EXPECT_EQ(padded.virial, full.virial);
+          EXPECT_EQ(padded.stress, full.stress);
+          EXPECT_EQ(padded.gradient, full.gradient);
+          EXPECT_EQ(padded.energy, full.energy);
+          EXPECT_EQ(padded.inverted, -1);
+        }
+      },
+      this->all);
 }
 
 // a particle without bonds, and one whose bonds cannot tell strains apart, stay finite and still
@@ -250,13 +257,15 @@ TYPED_TEST(Sweep, particle_without_bonds_feels_nothing)
   body.W.row(9).setZero();
   body.W.col(9).setZero();
   body.p[9].singular = true;
-  this->for_all_features([&](const Features &on, double zeta, const Viscosity &viscosity) {
-    const Swept<D> swept(body, on, zeta, viscosity);
-    EXPECT_EQ(swept.f(9).norm(), 0.0);
-    EXPECT_EQ(swept.inverted, -1);
-    for (const auto *list : {&swept.force, &swept.virial, &swept.stress, &swept.energy})
-      for (double value : *list) EXPECT_TRUE(std::isfinite(value));
-  }, this->all);
+  this->for_all_features(
+      [&](const Features &on, double zeta, const Viscosity &viscosity) {
+        const Swept<D> swept(body, on, zeta, viscosity);
+        EXPECT_EQ(swept.f(9).norm(), 0.0);
+        EXPECT_EQ(swept.inverted, -1);
+        for (const auto *list : {&swept.force, &swept.virial, &swept.stress, &swept.energy})
+          for (double value : *list) EXPECT_TRUE(std::isfinite(value));
+      },
+      this->all);
 }
 
 // rigid motion: turning the body turns the forces (the hourglass term and the thermal bond too)
@@ -270,12 +279,14 @@ TYPED_TEST(Sweep, forces_turn_with_the_body)
     p.u = Q * (p.X + p.u) - p.X;
     p.v = Q * p.v;
   }
-  this->for_all_features([&](const Features &on, double zeta, const Viscosity &viscosity) {
-    const Swept<D> before(body, on, zeta, viscosity), after(turned, on, zeta, viscosity);
-    const double largest = before.largest_force(body.size());
-    for (int i = 0; i < body.size(); i++)
-      EXPECT_LT((after.f(i) - Q * before.f(i)).norm(), 1.0e-12 * largest);    // round-off
-  }, this->all);
+  this->for_all_features(
+      [&](const Features &on, double zeta, const Viscosity &viscosity) {
+        const Swept<D> before(body, on, zeta, viscosity), after(turned, on, zeta, viscosity);
+        const double largest = before.largest_force(body.size());
+        for (int i = 0; i < body.size(); i++)
+          EXPECT_LT((after.f(i) - Q * before.f(i)).norm(), 1.0e-12 * largest);    // round-off
+      },
+      this->all);
 }
 
 TYPED_TEST(Sweep, names_a_particle_turned_inside_out)

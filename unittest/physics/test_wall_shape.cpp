@@ -33,8 +33,10 @@ double sampled(const std::vector<Point> &points, const Point &x)
   for (size_t k = 0; k + 1 < points.size(); k++)
     for (int n = 0; n <= 4000; n++) {
       const double s = n / 4000.0;
-      least = std::min(least, distance(x, {(1 - s) * points[k][0] + s * points[k + 1][0],
-                                           (1 - s) * points[k][1] + s * points[k + 1][1], 0.0}));
+      least = std::min(least,
+                       distance(x,
+                                {(1 - s) * points[k][0] + s * points[k + 1][0],
+                                 (1 - s) * points[k][1] + s * points[k + 1][1], 0.0}));
     }
   return least;
 }
@@ -59,7 +61,7 @@ TEST(WallShape, DistanceOfPolylineIsTheLeastOfAllItsPoints)
 // nothing
 TEST(WallShape, TiesAreDecidedAlikeInTurnedAxes)
 {
-  const std::vector<Point> niche = {{-3, 0.5, 0}, {-2, 0.5, 0},  {-1, 0.5, 0}, {-0.5, 0.5, 0},
+  const std::vector<Point> niche = {{-3, 0.5, 0},    {-2, 0.5, 0},   {-1, 0.5, 0},  {-0.5, 0.5, 0},
                                     {-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {2, 0.5, 0}};
   const std::vector<Point> inside = {{0, 0, 0}, {-2.25, 0.9, 0}, {-2, 0.9, 0}, {-1.1, 0.75, 0}};
   for (const Point &x : inside) {
@@ -234,8 +236,8 @@ TEST(WallShape, GoesOnWithoutEndOverPeriods)
     WallTouch found[2];
     EXPECT_EQ(one.touches({5.5, 0.05, 0}, 0.1, 1, found), 0);
   }
-  EXPECT_FALSE(WallPolyline({{0, 0, 0}, {0.9, 0, 0}}).goes_on(0, 1.0));       // too short
-  EXPECT_FALSE(WallPolyline({{0, 0, 0}, {1.0, 0.1, 0}}).goes_on(0, 1.0));     // a step
+  EXPECT_FALSE(WallPolyline({{0, 0, 0}, {0.9, 0, 0}}).goes_on(0, 1.0));      // too short
+  EXPECT_FALSE(WallPolyline({{0, 0, 0}, {1.0, 0.1, 0}}).goes_on(0, 1.0));    // a step
   EXPECT_TRUE(WallPlane({0, 0, 0}, {0, 0, 1}).goes_on(0, 1.0));
   EXPECT_FALSE(WallPlane({0, 0, 0}, {0, 0, 1}).goes_on(2, 1.0));
 }
@@ -300,8 +302,10 @@ TEST(ContactLaw, CornerSolvesBothSpringsAtOnce)
       // what is left of the overlap when both forces have acted, dt^2/m = q/k
       const double left = p[a] - q / k * (F[a] + cosine * F[1 - a]);
       ASSERT_GE(F[a], 0.0);
-      if (F[a] > 0.0) EXPECT_NEAR(F[a], k * left, 1e-13);
-      else EXPECT_LE(left, 1e-13);
+      if (F[a] > 0.0)
+        EXPECT_NEAR(F[a], k * left, 1e-13);
+      else
+        EXPECT_LE(left, 1e-13);
     }
   }
 }
