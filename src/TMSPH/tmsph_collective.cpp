@@ -14,18 +14,34 @@ using LAMMPS_NS::bigint;
 
 namespace TMSPH {
 
-double fixed_point_sum(const std::vector<double> &terms, MPI_Comm world)
+// sums[width] of n terms of so many numbers each, in a common unit
+
+static void add_up(int width, int n, const double *terms, double *sums, MPI_Comm world)
 {
-  const int n = terms.size();
-  const std::vector<double> ones(n, 1.0);
-  double mine = largest_magnitude(n, terms.data()), largest;
-  bigint count = n, total, all;
+  double mine = largest_magnitude(width * n, terms), largest;
+  bigint count = n, total;
   MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
   MPI_Allreduce(&count, &total, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   const double scale = fixed_point_scale(largest * (double) total);
-  bigint sum = fixed_point_dot(n, terms.data(), ones.data(), scale);
-  MPI_Allreduce(&sum, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return scale > 0.0 ? (double) all / scale : 0.0;
+  std::vector<bigint> units(width), all(width);
+  for (int t = 0; t < width * n; t++) units[t % width] += (bigint) (terms[t] * scale);
+  MPI_Allreduce(units.data(), all.data(), width, MPI_LMP_BIGINT, MPI_SUM, world);
+  for (int a = 0; a < width; a++) sums[a] = scale > 0.0 ? (double) all[a] / scale : 0.0;
+}
+
+double fixed_point_sum(const std::vector<double> &terms, MPI_Comm world)
+{
+  double sum;
+  add_up(1, terms.size(), terms.data(), &sum, world);
+  return sum;
+}
+
+std::array<double, 3> fixed_point_sum(const std::vector<std::array<double, 3>> &terms,
+                                      MPI_Comm world)
+{
+  std::array<double, 3> sum;
+  add_up(3, terms.size(), terms.empty() ? nullptr : terms[0].data(), sum.data(), world);
+  return sum;
 }
 
 double median(const std::vector<double> &values, MPI_Comm world)

@@ -8,6 +8,7 @@
 #ifndef LMP_TMSPH_COLLECTIVE_H
 #define LMP_TMSPH_COLLECTIVE_H
 
+#include <array>
 #include <mpi.h>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace TMSPH {
 
 /// The sum of the terms of all processors.
 double fixed_point_sum(const std::vector<double> &terms, MPI_Comm world);
+/// the same of vectors
+std::array<double, 3> fixed_point_sum(const std::vector<std::array<double, 3>> &terms,
+                                      MPI_Comm world);
 
 /// Median of positive numbers of all processors; 0 if there are none.
 double median(const std::vector<double> &values, MPI_Comm world);

@@ -10,6 +10,7 @@
 #include "error.h"
 #include "input.h"
 #include "modify.h"
+#include "tmsph_collective.h"
 #include "update.h"
 #include "variable.h"
 
@@ -24,25 +25,6 @@ using namespace TMSPH;
 static double dot(const Point &a, const Point &b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* ----------------------------------------------------------------------
-   A sum that does not depend on how the terms are spread over processors: they
-   are rounded to whole numbers of a quantum below 1e-12 of the largest.
-------------------------------------------------------------------------- */
-
-static void sum_in_any_order(const std::vector<Point> &terms, Point &sum, MPI_Comm world)
-{
-  double largest = 0.0, largest_of_all;
-  for (const Point &t : terms)
-    for (double value : t) largest = std::max(largest, std::fabs(value));
-  MPI_Allreduce(&largest, &largest_of_all, 1, MPI_DOUBLE, MPI_MAX, world);
-  const double quantum = std::ldexp(std::max(largest_of_all, 1.0e-280), -40);    // not 0
-  int64_t counted[3] = {}, all[3];
-  for (const Point &t : terms)
-    for (int a = 0; a < 3; a++) counted[a] += std::llround(t[a] / quantum);
-  MPI_Allreduce(counted, all, 3, MPI_LL, MPI_SUM, world);
-  for (int a = 0; a < 3; a++) sum[a] = all[a] * quantum;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -174,19 +156,16 @@ std::pair<double, double> TMSPHWallDrive::move(double duration)
 
 /* ---------------------------------------------------------------------- */
 
-double TMSPHWallDrive::dragged(const std::vector<Point> &stiffnesses, double dt) const
+double TMSPHWallDrive::dragged(const std::vector<double> &stiffnesses, double dt) const
 {
-  Point sum;
-  sum_in_any_order(stiffnesses, sum, world);
-  return dt * dt * sum[0] / mass;
+  return dt * dt * fixed_point_sum(stiffnesses, world) / mass;
 }
 
 /* ---------------------------------------------------------------------- */
 
 void TMSPHWallDrive::push(const std::vector<Point> &forces, double dt)
 {
-  Point sum;
-  sum_in_any_order(forces, sum, world);
+  const Point sum = fixed_point_sum(forces, world);
   for (int a = 0; a < 3; a++)
     if (is_free[a]) scene.motion.velocity[a] += dt * (load[a].value - sum[a]) / mass;
 }

@@ -28,7 +28,7 @@ class TMSPHWallDrive : protected Pointers {
 
   bool loaded() const { return mass > 0.0; }
   /// dt^2/mass of the wall times the stiffness of all that touch it; only if loaded (collective)
-  double dragged(const std::vector<TMSPH::Point> &stiffnesses, double dt) const;
+  double dragged(const std::vector<double> &stiffnesses, double dt) const;
   /// acceleration of the wall by its load
   double acceleration(int a) const { return is_free[a] ? load[a].value / mass : 0.0; }
   /// velocities of directions that are not free, and loads, at the present time

@@ -150,12 +150,11 @@ void TMSPHWallPlaces::predict(Touching &t, double dt) const
 
 /* ---------------------------------------------------------------------- */
 
-std::vector<Point> TMSPHWallPlaces::stiffnesses() const
+std::vector<double> TMSPHWallPlaces::stiffnesses() const
 {
-  std::vector<Point> all;
+  std::vector<double> all;
   for (const Touching &t : touching)
-    if (t.predicted[0] > 0.0 || (t.places == 2 && t.predicted[1] > 0.0))
-      all.push_back({t.stiffness, 0.0, 0.0});
+    if (t.predicted[0] > 0.0 || (t.places == 2 && t.predicted[1] > 0.0)) all.push_back(t.stiffness);
   return all;
 }
 

@@ -55,7 +55,7 @@ class TMSPHWallPlaces : protected Pointers {
   /// @param dt 0: as they are
   void find(double dt);
   /// stiffnesses of all places that press
-  std::vector<TMSPH::Point> stiffnesses() const;
+  std::vector<double> stiffnesses() const;
   /** The forces on particles.
       @param dragged dt^2/mass of the wall times the stiffness of all that touch it */
   void hold(double dt, double dragged);
