@@ -149,25 +149,28 @@ void TMSPHHeatStepper::euler_step(double duration, std::vector<double> &values)
   for (size_t n = 0; n < values.size(); n++) values[n] += duration * rate[n];
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   The stages as distances from the start of the step, of which Y_0 has none:
+   what is at rest stays so to the bit.
+------------------------------------------------------------------------- */
 
 void TMSPHHeatStepper::super_step(double duration, std::vector<double> &values)
 {
   const size_t size = values.size();
   const TMSPH::Rkl2 scheme(duration / flows.stable_step());
   const std::vector<double> y0(values);
-  std::vector<double> rate0(size), rate(size), last(values), before_last(size);
+  std::vector<double> rate0(size), rate, last(size, 0.0), before_last(size, 0.0);
   flows.rates(y0, rate0);
+  rate = rate0;
   for (int j = 1; j <= scheme.stages; j++) {
     const TMSPH::Rkl2::Stage c = scheme.stage(j);
-    if (j == 1)
-      rate = rate0;
-    else
-      flows.rates(last, rate);
-    for (size_t n = 0; n < size; n++)
-      values[n] = c.mu * last[n] + c.nu * before_last[n] + (1.0 - c.mu - c.nu) * y0[n] +
+    if (j > 1) flows.rates(values, rate);
+    for (size_t n = 0; n < size; n++) {
+      const double way = c.mu * last[n] + c.nu * before_last[n] +
           duration * (c.mu_rate * rate[n] + c.gamma_rate * rate0[n]);
-    std::swap(before_last, last);
-    last = values;
+      before_last[n] = last[n];
+      last[n] = way;
+      values[n] = y0[n] + way;
+    }
   }
 }
