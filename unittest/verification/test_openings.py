@@ -1,8 +1,9 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Bonds that open: a notched strip between grips is pulled apart. The crack takes the given energy
 on lattices in any direction, no update of the openings gains energy, and half-way the run goes on
-from a restart file and on several processors with the same bits. A body that is torn apart by its own
-rotation keeps its angular momentum and gains no energy. Limits of the method are told."""
+from a restart file and on several processors with the same bits. Bars without a notch bear the
+strength. A body that is torn apart by its own rotation keeps its angular momentum and gains no
+energy. Limits of the method are told."""
 
 import numpy as np
 
@@ -161,6 +162,46 @@ def torn_by_rotation(report):
         report.below(f"{d}-D: change of the angular momentum", np.ptp(spin) / abs(spin[0]), 1e-10)
 
 
+def stretched_bar(name, cells, plane, crossings):
+    """Its ends are drawn apart but contract freely, and it is stretched evenly from the start, so that no waves run.
+    They are stronger than its middle.
+    @param crossings of a wave from end to end until it carries its strength
+    @return load over the strength of the middle, until a fifth of it is lost"""
+    bar = lattice(name, cells, SPACING, centre=True)
+    d, along = bar.dimension, bar.X[:, 0]
+    size = (np.array(bar.box[1]) - np.array(bar.box[0]))[:d]
+    young, contraction = ((YOUNG / (1 - POISSON**2), POISSON / (1 - POISSON)) if plane == "strain"
+                          else (YOUNG, POISSON))
+    bar.type[abs(along) > 4 * SPACING] = 2
+    held, time, step = 0.5 * size[0] - 3.1 * SPACING, crossings * size[0] / SPEED, 0.35 * SPACING / SPEED
+    rate = TENSILE / young / time
+    velocity = -contraction * rate * bar.X
+    velocity[:, 0] = rate * np.clip(along, -held, held)
+    scene = Scene(bar, 2 * [material(YOUNG, POISSON, DENSITY)],
+                  (f"plane {plane} " if plane else "") + "viscosity 0.1 0")
+    scene.set("vx vy vz"[:3 * d - 1], velocity)
+    pull = f"0.5*(f_left[1]-f_right[1])/{np.prod(size[1:]) * TENSILE:.17g}"
+    scene.add(f"region left block INF {-held} INF INF INF INF\nregion right block {held} INF INF INF INF INF\n"
+              "group left region left\ngroup right region right\n"
+              f"fix break all tmsph/rankine {ROCK} tensile 2 {3 * TENSILE} energy 2 {9 * ENERGY}\nfix move all nve\n"
+              "fix left left setforce 0 NULL NULL\nfix right right setforce 0 NULL NULL\n"
+              f"variable pull equal {pull}\ntimestep {step:.17g}")
+    scene.thermo("step v_pull f_break[11]", 2)
+    scene.add(f"run {int(0.95 * time / step)}\nfix stop all halt 2 v_pull < 0.8 error continue\n"
+              f"run {int(0.6 * time / step)}")
+    return scene.run().thermo("v_pull")
+
+
+def bars(report):
+    """Without a notch a bar bears its strength, to a percent."""
+    for name, cells, plane in (("square", (24, 8), "stress"), ("hex", (24, 5), "strain"),
+                               ("sc", (16, 4, 4), ""), ("fcc", (12, 3, 3), "")):
+        pull = stretched_bar(name, cells, plane, 80)
+        what = f"bar, {name}{', plane ' + plane if plane else ''}"
+        report.within(f"{what}: peak/strength", pull.max(), 0.99, 1.01)
+        report.below(f"{what}: last load/strength", pull[-1], 0.85)
+
+
 def limits(report):
     """One clear error, or a warning, each."""
     block = lattice("square", (12, 12), 1e-3, centre=True)
@@ -200,4 +241,4 @@ def limits(report):
 
 
 if __name__ == "__main__":
-    main(energies, cut_in_mid_opening, same_bits, torn_by_rotation, limits, more=[spacings])
+    main(energies, bars, cut_in_mid_opening, same_bits, torn_by_rotation, limits, more=[spacings])
