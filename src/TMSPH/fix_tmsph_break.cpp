@@ -170,7 +170,7 @@ void FixTMSPHBreak::find_due(const double *stress)
       if (looked ? opening.open(i, k, j, bond.stress)
                  : softens && opening.pulled(i, j, bond.principals))
         continue;
-      const double strength = 0.5 * (rock.strength(i) + rock.strength(j));
+      const double strength = rock.strength(i, j);
       const int other = same ? type[i] : type[j];
       if (ranked) {
         bond.load = criterion.load_factor(type[i], other, bond.principals, strength);

@@ -81,22 +81,10 @@ void FixTMSPHBreak::tell()
                                       heading("toughness", unit.toughness)};
   if (openings()) columns.emplace_back("spacing/length");
   TextTable table(columns);
-  for (int type = 1; type <= atom->ntypes; type++) {
-    const double young = pair->material(type).young, tensile = rock.tensile_strength(type);
-    const double spacing = pair->spacing_of(type);
-    const bool opens = rock.opens(type);
-    const double energy = opens ? rock.crack_energy(type)
-                                : CRACK_ENERGY * tensile * tensile * spacing / young;
-    const double modulus = opens ? rock.crack_modulus(type) : young;
-    std::vector<std::string> row = {std::to_string(type),
-                                    digits(rock.of(type).strength),
-                                    digits(tensile),
-                                    digits(rock.of(type).strength / young),
-                                    energy > 0.0 ? digits(energy) : "-",
-                                    energy > 0.0 ? digits(std::sqrt(modulus * energy)) : "-"};
-    if (openings()) row.push_back(opens ? digits(spacing / rock.characteristic_length(type)) : "-");
-    table.add(row);
-  }
+  for (int type = 1; type <= atom->ntypes; type++) table.add(described(type, type));
+  for (int type = 1; type <= atom->ntypes; type++)
+    for (int other = type + 1; other <= atom->ntypes; other++)
+      if (rock.of_pair(type, other)) table.add(described(type, other));
   const std::string rows = table.text();
   if (!pair->news(rows)) return;
   if (comm->me == 0)
@@ -116,6 +104,33 @@ void FixTMSPHBreak::tell()
         ratio > STRONGEST ? "; a type with a 25th of the modulus does not break either" : ""));
     return;
   }
+}
+
+/* ----------------------------------------------------------------------
+   a row of the table: of a type, or of the bonds between two
+------------------------------------------------------------------------- */
+
+std::vector<std::string> FixTMSPHBreak::described(int type, int other)
+{
+  using TMSPH::digits;
+  const bool one = type == other, opens = rock.opens(type, other);
+  const double young = 0.5 * (pair->material(type).young + pair->material(other).young);
+  const double tensile = rock.tensile_strength(type, other);
+  const double strength =
+      0.5 * rock.strength_factor(type, other) * (rock.of(type).strength + rock.of(other).strength);
+  const double spacing = std::max(pair->spacing_of(type), pair->spacing_of(other));
+  const double energy = opens ? rock.crack_energy(type, other)
+                              : CRACK_ENERGY * tensile * tensile * spacing / young;
+  const double modulus = opens ? rock.crack_modulus(type, other) : young;
+  std::vector<std::string> row = {one ? std::to_string(type) : fmt::format("{}-{}", type, other),
+                                  digits(strength),
+                                  digits(tensile),
+                                  digits(strength / young),
+                                  energy > 0.0 ? digits(energy) : "-",
+                                  energy > 0.0 ? digits(std::sqrt(modulus * energy)) : "-"};
+  if (openings())
+    row.push_back(opens ? digits(spacing / rock.characteristic_length(type, other)) : "-");
+  return row;
 }
 
 /* ----------------------------------------------------------------------

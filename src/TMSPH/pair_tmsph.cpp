@@ -137,13 +137,12 @@ template <int D> void PairTMSPH::find_stresses(bool inverted_breaks)
   GradientOutput out;
   out.stress = stress.data();
   out.inverted_breaks = inverted_breaks;
-  std::vector<double> own_gradient;
-  if (averaging.on()) {
-    own_gradient = gradient;
-    out.gradient = own_gradient.data();
-  }
+  if (averaging.on() || openings()) out.gradient = own_side.start_gradients(gradient);
   own_side.find_stress<D>(on, rows.kinematic(), out);
-  if (averaging.on()) averaging.add_to_stress<D>(on.thermal, own_gradient.data(), stress.data());
+  if (opens()) openings()->correct_own_side<D>(bond_state());
+  if (averaging.on())
+    averaging.add_to_stress<D>(on.thermal, out.gradient ? out.gradient : gradient.data(),
+                               stress.data());
   pressed.add_stress(*bond_fix, stress.data());
 }
 
@@ -282,7 +281,9 @@ bool PairTMSPH::opens() const
 
 TMSPHBondState PairTMSPH::bond_state()
 {
-  return {on, bond_fix->layout(), rows.kinematic(), rows.force(), gradient.data(), nullptr};
+  return {on,           bond_fix->layout(), rows.kinematic(),
+          rows.force(), gradient.data(),    stress.data(),
+          &own_side};
 }
 
 /* ---------------------------------------------------------------------- */

@@ -129,7 +129,12 @@ template <int D> struct OpenFit {
   SquareMatrix<D> B_turning;    ///< and with the derivative of the rotation
   double energy;                ///< U_i
 
-  template <class Law> void evaluate(Law)
+  template <class Law> SquareMatrix<D> piola(Law, const SquareMatrix<D> &gradient) const
+  {
+    return dense<D>(Law::first_piola(plain<D>(gradient), lambda, shear, thermal));
+  }
+
+  template <class Law> void evaluate(Law law)
   {
     const SquareMatrix<D> identity = SquareMatrix<D>::Identity();
     SquareMatrix<D> raw = SquareMatrix<D>::Zero(), jumps = raw;
@@ -140,7 +145,7 @@ template <int D> struct OpenFit {
     for (const auto &b : bonds)
       if (b.open != 0.0) jumps += (b.weight * b.open) * (rotation * b.normal) * b.X.transpose();
     H = (raw - jumps) * shape_inverse;
-    P = dense<D>(Law::first_piola(plain<D>(H), lambda, shear, thermal));
+    P = piola(law, H);
     B = volume * P * shape_inverse - chi * H;
     double misfit = 0.0;
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();

@@ -50,7 +50,7 @@ void TMSPHOpeningRule::init(PairTMSPH &style, TMSPHGhostSender &ghosts)
   bonds = pair->bonds();
   bool any = false;
   for (int type = 1; type <= atom->ntypes; type++) {
-    if (rocks.crack_energy(type) == 0.0) continue;
+    if (!rocks.opens(type)) continue;
     any = true;
     pair->raise_hourglass(type, HOURGLASS_OF_OPENINGS);
   }
@@ -82,38 +82,42 @@ void TMSPHOpeningRule::check(const std::string &style) const
                  "Words energy and toughness of fix {} are calibrated for horizons of {} to "
                  "{} spacings, not of {:.3g} as of type {}: use one of 3.015",
                  style, SHORTEST, LONGEST, reach, type);
-    const double length = rocks.characteristic_length(type), ratio = spacing / length;
-    if (ratio > TOO_COARSE)
-      error->all(FLERR,
-                 "Spacing {:.4g} of type {} is {:.3g} of the characteristic length of its "
-                 "cracks, {:.4g}, of which it may be {} at most: use a spacing of {:.3g} or "
-                 "less, or do without energy and toughness",
-                 spacing, type, ratio, length, TOO_COARSE, COARSE * length);
-    if (ratio > COARSE)
-      pair->warn_once(fmt::format("Spacing {:.4g} of type {} is {:.3g} of the characteristic "
-                                  "length of its cracks, {:.4g}: at {} or less they take the given "
-                                  "energy",
-                                  spacing, type, ratio, length, COARSE));
-    for (int other = 1; other <= atom->ntypes; other++)
-      if (other != type && pair->spacing_of(other) > 0.0 && pair->bonded(type, other) &&
-          !pair->same_material(type, other))
-        error->all(FLERR,
-                   "Type {} has energy or toughness and is bonded to type {}, which differs "
-                   "in pair_coeff: give both the same, or 'pair_coeff {} {} none'",
-                   type, other, std::min(type, other), std::max(type, other));
     if (pair->averages(type))
       error->all(FLERR,
                  "Nearly incompressible type {} cannot have energy or toughness in fix {}: "
                  "its dilatation is averaged",
                  type, style);
+    for (int other = type; other <= atom->ntypes; other++)
+      if (rocks.opens(type, other) && (other == type || pair->bonded(type, other)))
+        check_length(type, other);
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHOpeningRule::check_length(int type, int other) const
+{
+  const double spacing = std::max(pair->spacing_of(type), pair->spacing_of(other));
+  const double length = rocks.characteristic_length(type, other), ratio = spacing / length;
+  const std::string where = type == other ? fmt::format("type {}", type)
+                                          : fmt::format("types {} and {}", type, other);
+  if (ratio > TOO_COARSE)
+    error->all(FLERR,
+               "Spacing {:.4g} of {} is {:.3g} of the characteristic length of cracks there, "
+               "{:.4g}, of which it may be {} at most: use a spacing of {:.3g} or less, or do "
+               "without energy and toughness",
+               spacing, where, ratio, length, TOO_COARSE, COARSE * length);
+  if (ratio > COARSE)
+    pair->warn_once(fmt::format("Spacing {:.4g} of {} is {:.3g} of the characteristic length of "
+                                "cracks there, {:.4g}: at {} or less they take the given energy",
+                                spacing, where, ratio, length, COARSE));
 }
 
 /* ---------------------------------------------------------------------- */
 
 bool TMSPHOpeningRule::opens(int i, int j) const
 {
-  return opening && rocks.opens(atom->type[i]) && rocks.opens(atom->type[j]);
+  return opening && rocks.opens(atom->type[i], atom->type[j]);
 }
 
 /* ----------------------------------------------------------------------
@@ -130,13 +134,14 @@ void TMSPHOpeningRule::follow(const double *stress)
   if (damage_watch.laid_out_anew(*bonds) || damage_watch.removed(*bonds)) {
     constexpr unsigned GONE = 1u << FixTMSPHBond::BROKEN | 1u << FixTMSPHBond::CUT;
     damaged.resize(nlocal);
-    for (int i = 0; i < nlocal; i++) damaged[i] = opens(i, i) && bonds->count_in(i, GONE);
+    for (int i = 0; i < nlocal; i++)
+      damaged[i] = rocks.opens(atom->type[i]) && bonds->count_in(i, GONE);
     damage_watch.see(*bonds);
   }
   watched = damaged;
   int mine[2] = {0, opening->here()}, all[2];
   for (int i = 0; i < nlocal; i++) {
-    if (!watched[i] && opens(i, i))
+    if (!watched[i] && rocks.opens(atom->type[i]))
       watched[i] = opening->opens_at(i) || may_open(i, stress + (size_t) i * size);
     mine[0] |= watched[i];
   }
@@ -163,21 +168,14 @@ bool TMSPHOpeningRule::may_open(int i, const double *row) const
   const TMSPH::Invariants v = two ? TMSPH::invariants_2d(row) : TMSPH::invariants_3d(row);
   const double reach = two ? 1.0 : TMSPH::REACH_3D;
   return !(v.mean + reach * std::sqrt(v.deviation2) <
-           rocks.tensile_strength_of(i) * TMSPH::BELOW_ROUNDING);
+           rocks.weakest_tensile_strength_of(i) * TMSPH::BELOW_ROUNDING);
 }
 
 /* ---------------------------------------------------------------------- */
 
 bool TMSPHOpeningRule::pulled(int i, int j, const TMSPH::Principals &p) const
 {
-  return p.largest > NO_TENSION * bond_strength(i, j);
-}
-
-/* ---------------------------------------------------------------------- */
-
-double TMSPHOpeningRule::bond_strength(int i, int j) const
-{
-  return 0.5 * (rocks.tensile_strength_of(i) + rocks.tensile_strength_of(j));
+  return p.largest > NO_TENSION * rocks.tensile_strength_of(i, j);
 }
 
 /* ----------------------------------------------------------------------
@@ -186,7 +184,7 @@ double TMSPHOpeningRule::bond_strength(int i, int j) const
 
 bool TMSPHOpeningRule::open(int i, int k, int j, const double *mean)
 {
-  const double strength = bond_strength(i, j);
+  const double strength = rocks.tensile_strength_of(i, j);
   if (opening->opens_bond(i, k)) return true;
   const bool two = domain->dimension == 2;
   double stress[6];
@@ -198,8 +196,7 @@ bool TMSPHOpeningRule::open(int i, int k, int j, const double *mean)
   const double pull = two ? TMSPH::principals_2d(stress).largest
                           : TMSPH::principals_3d(stress).largest;
   if (pull >= strength) {
-    const double energy =
-        0.5 * (rocks.crack_energy(atom->type[i]) + rocks.crack_energy(atom->type[j])) / CALIBRATION;
+    const double energy = rocks.crack_energy(atom->type[i], atom->type[j]) / CALIBRATION;
     if (two)
       opening->begin<2>(i, k, j, stress, strength, energy);
     else

@@ -67,8 +67,8 @@ class TMSPHOpeningRule : protected Pointers {
   bool began = false;                    // here, in this test
   bool looking = false;                  // at bonds that may open, on some processor
 
+  void check_length(int type, int other) const;
   bool may_open(int i, const double *row) const;
-  double bond_strength(int i, int j) const;
 };
 
 }    // namespace LAMMPS_NS

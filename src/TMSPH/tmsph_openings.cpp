@@ -104,6 +104,24 @@ template <int D> void TMSPHOpenings::gather(const TMSPHBondState &s, int i, Open
   fit.thermal = s.on.thermal == ThermalStrain::CONSTITUTIVE ? fit.heating : 0.0;
 }
 
+/* ----------------------------------------------------------------------
+   the Cauchy stress of a fit, as the gradient sweep finds it
+------------------------------------------------------------------------- */
+
+template <int D>
+static void store_stress(const Features &on, const OpenFit<D> &fit, const SquareMatrix<D> &H,
+                         const SquareMatrix<D> &P, double *stress)
+{
+  const Matrix<D, double> F = deformation(plain<D>(H));
+  SquareMatrix<D> sigma = dense<D>(cauchy(plain<D>(P), F));
+  if (on.thermal == ThermalStrain::BOND) sigma /= std::pow(1.0 + fit.heating, D);
+  if (determinant(F) <= 0.0) sigma = UNBEARABLE * SquareMatrix<D>::Identity();
+  for (int a = 0, k = D; a < D; a++) {
+    stress[a] = sigma(a, a);
+    for (int b = a + 1; b < D; b++) stress[k++] = sigma(a, b);
+  }
+}
+
 /* ---------------------------------------------------------------------- */
 
 template <int D> void TMSPHOpenings::correct(const TMSPHBondState &s)
@@ -120,18 +138,60 @@ template <int D> void TMSPHOpenings::correct(const TMSPHBondState &s)
     sum += fit.energy;
     if (s.force_row) store<D>(fit.B, s.force_row + (size_t) i * R::FORCE);
     if (s.gradient) store<D>(fit.H, s.gradient + (size_t) i * D * D);
-    if (!s.stress) continue;
-    const Matrix<D, double> F = deformation(plain<D>(fit.H));
-    SquareMatrix<D> sigma = dense<D>(cauchy(plain<D>(fit.P), F));
-    if (s.on.thermal == ThermalStrain::BOND) sigma /= std::pow(1.0 + fit.heating, D);
-    if (determinant(F) <= 0.0) sigma = UNBEARABLE * SquareMatrix<D>::Identity();
-    double *const stress = s.stress + (size_t) i * STRESS_ROW<D>;
-    for (int a = 0, k = D; a < D; a++) {
-      stress[a] = sigma(a, a);
-      for (int b = a + 1; b < D; b++) stress[k++] = sigma(a, b);
-    }
+    if (s.stress) store_stress<D>(s.on, fit, fit.H, fit.P, s.stress + (size_t) i * STRESS_ROW<D>);
   }
   account.book(sum);
+}
+
+/* ----------------------------------------------------------------------
+   What a particle at an interface of materials sees with the bonds of its own side alone, less
+   their openings, which turn with the fit over all.
+------------------------------------------------------------------------- */
+
+template <int D>
+static SquareMatrix<D> own_gradient(const TMSPHOwnSide &own_side, int i, const OpenFit<D> &fit)
+{
+  SquareMatrix<D> H = SquareMatrix<D>::Zero();
+  for (const auto &b : fit.bonds) {
+    Column<D> left = b.u;
+    if (b.open != 0.0) left -= b.open * (fit.rotation * b.normal);
+    H += left * own_side.fit_vector<D>(i, b.place).transpose();
+  }
+  return H;
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void TMSPHOpenings::correct_own_side(const TMSPHBondState &s)
+{
+  const auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
+  for (size_t n = 0; n < open.size(); n++) {
+    const int i = open[n];
+    if (!s.own_side->has(i)) continue;
+    const OpenFit<D> &fit = fits[n];
+    const SquareMatrix<D> H = own_gradient<D>(*s.own_side, i, fit);
+    const SquareMatrix<D> P =
+        std::visit([&](auto elastic) { return fit.piola(elastic, H); }, s.on.law);
+    store_stress<D>(s.on, fit, H, P, s.stress + (size_t) i * STRESS_ROW<D>);
+    store<D>(H, s.own_side->gradients() + (size_t) i * D * D);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   of particles with openings, as their fits have it now
+------------------------------------------------------------------------- */
+
+template <int D> void TMSPHOpenings::fill_open_rows(const TMSPHBondState &s)
+{
+  using O = OpenRow<D>;
+  const auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
+  for (size_t n = 0; n < open.size(); n++) {
+    const int i = open[n];
+    double *const r = rows[i];
+    store<D>(s.own_side->has(i) ? own_gradient<D>(*s.own_side, i, fits[n]) : fits[n].H, r + O::H);
+    store<D>(fits[n].rotation, r + O::R);
+    store<D>(fits[n].B, r + O::B);
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -246,6 +306,8 @@ double TMSPHOpenings::bytes() const
 
 #define INSTANTIATE(D)                                                                        \
   template void TMSPHOpenings::correct<D>(const TMSPHBondState &);                            \
+  template void TMSPHOpenings::correct_own_side<D>(const TMSPHBondState &);                   \
+  template void TMSPHOpenings::fill_open_rows<D>(const TMSPHBondState &);                     \
   template void TMSPHOpenings::finish<D>(const TMSPHBondState &);                             \
   template void TMSPHOpenings::add_forces<D>(const TMSPHBondState &, double *, int, double *, \
                                              double *) const;

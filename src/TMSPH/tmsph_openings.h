@@ -20,6 +20,7 @@
 #include "tmsph_ghost_rows.h"
 #include "tmsph_open_bond.h"
 #include "tmsph_opening_balance.h"
+#include "tmsph_own_side.h"
 
 #include <tuple>
 #include <utility>
@@ -33,7 +34,8 @@ struct TMSPHBondState {
   const TMSPH::Slices &slices;
   const double *kinematic;
   double *force_row;
-  double *gradient, *stress;    ///< or nullptr
+  double *gradient, *stress;           ///< or nullptr
+  TMSPHOwnSide *own_side = nullptr;    ///< where stresses are tested
 };
 
 class TMSPHOpenings : protected Pointers {
@@ -55,6 +57,8 @@ class TMSPHOpenings : protected Pointers {
 
   /// gradients, stresses and the first part of the force rows of particles with openings
   template <int D> void correct(const TMSPHBondState &);
+  /// of those at interfaces of materials the stress of their own side, and its gradient
+  template <int D> void correct_own_side(const TMSPHBondState &);
   /// the force rows; ghosts get rotations (collective)
   template <int D> void finish(const TMSPHBondState &);
   /// what the rows do not hold: added to forces of local particles and to virials, where these are
@@ -124,7 +128,7 @@ class TMSPHOpenings : protected Pointers {
   template <int D> double relative(int i, int j, double *X, double *u) const;
   template <int D> void gather(const TMSPHBondState &, int i, TMSPH::OpenFit<D> &) const;
   /// rows of particles with openings after their fits
-  template <int D> void fill_open_rows();
+  template <int D> void fill_open_rows(const TMSPHBondState &);
   template <int D> double update_once(bool decides);
   void decide_leaving(int i, int j, TMSPH::OpenBond &);
   template <int D> void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);

@@ -80,18 +80,20 @@ void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &n
   candidate_column = O::CANDIDATE;
   kinematic = s.kinematic;
   heated = s.on.thermal == ThermalStrain::BOND;
+  const double *const own_side = s.own_side->gradients(),
+                      *const gradient = own_side ? own_side : s.gradient;
   for (int i = 0; i < atom->nlocal; i++) {
     const double *const own = s.slices.constants<D>(i);
     const auto constant = [&](int n) { return own[TMSPH::LANES * (SYMMETRIC<D> + n)]; };
     double *const r = rows[i];
     std::copy_n(s.kinematic + (size_t) i * R::KINEMATIC + R::U, D, r + O::U);
-    std::copy_n(s.gradient + (size_t) i * D * D, D * D, r + O::H);
+    std::copy_n(gradient + (size_t) i * D * D, D * D, r + O::H);
     r[O::CHI] = constant(3);
     r[O::MODULUS] = constant(1) + 2.0 * constant(2);
     r[O::NEAR] = near[i];
     r[O::LEAST] = 0.0;    // no openings
   }
-  fill_open_rows<D>();
+  fill_open_rows<D>(s);
   const auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
   for (size_t n = 0; n < open.size(); n++) {
     const auto &fit = fits[n];
@@ -101,20 +103,6 @@ void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &n
     find_candidate<D>(open[n], fit, s.on.law);
   }
   ghosts.send(rows, 0, O::WIDTH);
-}
-
-/* ---------------------------------------------------------------------- */
-
-template <int D> void TMSPHOpenings::fill_open_rows()
-{
-  using O = OpenRow<D>;
-  const auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
-  for (size_t n = 0; n < open.size(); n++) {
-    double *const r = rows[open[n]];
-    store<D>(fits[n].H, r + O::H);
-    store<D>(fits[n].rotation, r + O::R);
-    store<D>(fits[n].B, r + O::B);
-  }
 }
 
 /* ----------------------------------------------------------------------
@@ -283,7 +271,7 @@ template <int D> void TMSPHOpenings::update(TMSPHBondState s)
   s.stress = nullptr;    // ghosts have that of before
   for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
     if (sweep) {
-      fill_open_rows<D>();
+      fill_open_rows<D>(s);
       ghosts.send(rows, O::H, O::LEAST - O::H);
     }
     const double mine = update_once<D>(sweep == 0);

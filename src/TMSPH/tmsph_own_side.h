@@ -12,6 +12,7 @@
 #include "fix_tmsph_bond.h"
 #include "tmsph_sweep.h"
 
+#include <Eigen/Dense>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -29,11 +30,36 @@ class TMSPHOwnSide {
   template <int D>
   void find_stress(const TMSPH::Features &on, const double *kinematic,
                    const TMSPH::GradientOutput &out) const;
-  double bytes() const { return slices.bytes() + lane.capacity() * sizeof(int); }
+  /// true if local particle i has bonds to another material
+  bool has(int i) const { return lane[i] >= 0; }
+  /// g of its bond k in the gradient sum_k u'_k g_k^T
+  template <int D> Eigen::Matrix<double, D, 1> fit_vector(int i, int k) const
+  {
+    const size_t row = slices.offset[lane[i] / TMSPH::LANES] + k;
+    Eigen::Matrix<double, D, 1> g;
+    for (int a = 0; a < D; a++)
+      g[a] = slices.fit[(row * D + a) * TMSPH::LANES + lane[i] % TMSPH::LANES];
+    return g;
+  }
+  /** A copy of the gradients of all local particles, for those of find_stress().
+      @return nullptr where no particle has bonds to another material */
+  double *start_gradients(const std::vector<double> &whole)
+  {
+    if (slices.count()) gradients_here = whole;
+    return slices.count() ? gradients_here.data() : nullptr;
+  }
+  /// as they were found last
+  double *gradients() { return slices.count() ? gradients_here.data() : nullptr; }
+  double bytes() const
+  {
+    return slices.bytes() + lane.capacity() * sizeof(int) +
+        gradients_here.capacity() * sizeof(double);
+  }
 
  private:
   TMSPH::Slices slices;
-  std::vector<int> lane;    // [nlocal] in the slices, or -1
+  std::vector<int> lane;                 // [nlocal] in the slices, or -1
+  std::vector<double> gradients_here;    // [nlocal*D*D] where asked for
 
   template <int D> void fill(int i, const FixTMSPHBond &, const Atom &, const double *kinematic);
   template <int D> void fit(int q, int l, bool one_sided, double spacing, const double *kinematic);

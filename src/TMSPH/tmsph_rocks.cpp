@@ -55,6 +55,8 @@ void TMSPHRocks::read(const std::string &style, char **next, char **last)
   };
   words.push_back({"energy", "I value", opens_with(&Rock::energy, &Rock::toughness)});
   words.push_back({"toughness", "I value", opens_with(&Rock::toughness, &Rock::energy)});
+  words.push_back({"between", "I J energy/toughness/strength value ...",
+                   [this](TMSPHValues &v) { read_between(v); }});
   words.push_back({"weibull", "I modulus seed", [this](TMSPHValues &v) { read_weibull(v); }});
   words.push_back({"principal", "inplane/all", [this](TMSPHValues &v) {
                      all_principals = v.one_of<bool>({{"inplane", false}, {"all", true}});
@@ -90,15 +92,73 @@ void TMSPHRocks::read_weibull(TMSPHValues &values)
   }
 }
 
+/* ----------------------------------------------------------------------
+   energy, toughness, strength with one number are of the pair: those of types take two values
+------------------------------------------------------------------------- */
+
+void TMSPHRocks::read_between(TMSPHValues &values)
+{
+  int lo, hi, other_lo, other_hi;
+  char **const start = values.rest();
+  values.types(lo, hi);
+  values.types(other_lo, other_hi);
+  const std::string pair = fmt::format("{} {}", start[0], start[1]);
+  const auto positive = [&values] {
+    return values.number(TMSPHRule::positive, "is out of range: it must be positive");
+  };
+  Between given;
+  int words = 0;
+  for (;; words++) {
+    if (values.word_of_one_number("energy"))
+      given.energy = positive();
+    else if (values.word_of_one_number("toughness"))
+      given.toughness = positive();
+    else if (values.word_of_one_number("strength"))
+      given.tensile = positive();
+    else
+      break;
+  }
+  if (!words)
+    values.reject(pair,
+                  "lacks what bonds between the two have: add 'energy', 'toughness' or "
+                  "'strength' with one value each");
+  if (given.energy > 0.0 && given.toughness > 0.0)
+    values.reject(pair, "has an energy and a toughness: give one of them");
+  bool any = false;
+  for (int type = lo; type <= hi; type++)
+    for (int other = other_lo; other <= other_hi; other++) {
+      if (type == other) continue;
+      between[std::minmax(type, other)] = given;
+      any = true;
+    }
+  if (!any)
+    values.reject(pair, "needs two types: what bonds of one have is given by the words without it");
+}
+
+/* ---------------------------------------------------------------------- */
+
 /* ---------------------------------------------------------------------- */
 
 void TMSPHRocks::init(const TMSPHMaterials &present)
 {
   materials = &present;
   if (domain->dimension == 3) all_principals = false;    // 3-D has all anyway
-  for (int type = 1; type <= atom->ntypes; type++)
-    rocks[type].tensile = tensile_strength(type) / rocks[type].strength;
+  for (int type = 1; type <= atom->ntypes; type++) {
+    Rock &rock = rocks[type];
+    rock.tensile = 1.0 / law->load_factor(type, type, {rock.strength, 0.0, 0.0}, rock.strength);
+  }
+  for (int type = 1; type <= atom->ntypes; type++) {
+    rocks[type].weakest = 1.0;
+    for (int other = 1; other <= atom->ntypes; other++)
+      rocks[type].weakest = std::min(rocks[type].weakest, strength_factor(type, other));
+  }
   version = -1;
+}
+
+TMSPHRocks::Between TMSPHRocks::given(int type, int other) const
+{
+  const auto found = between.find(std::minmax(type, other));
+  return found == between.end() ? Between() : found->second;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -107,17 +167,48 @@ double TMSPHRocks::tensile_strength() const
 {
   double smallest = HUGE_VAL;
   for (int type = 1; type <= atom->ntypes; type++)
-    smallest = std::min(smallest, tensile_strength(type));
+    for (int other = type; other <= atom->ntypes; other++)
+      smallest = std::min(smallest, tensile_strength(type, other));
   return smallest;
 }
 
 /* ---------------------------------------------------------------------- */
 
-double TMSPHRocks::tensile_strength(int type) const
+double TMSPHRocks::tensile_strength(int type, int other) const
 {
-  const double strength = rocks[type].strength;
-  const Principals pull = {strength, 0.0, 0.0};
-  return strength / law->load_factor(type, type, pull, strength);
+  const double tensile = given(type, other).tensile;
+  if (tensile > 0.0) return tensile;
+  return 0.5 *
+      (rocks[type].strength * rocks[type].tensile + rocks[other].strength * rocks[other].tensile);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHRocks::strength_factor(int type, int other) const
+{
+  if (!of_pair(type, other)) return 1.0;
+  return 2.0 * tensile_strength(type, other) /
+      (tensile_strength(type, type) + tensile_strength(other, other));
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool TMSPHRocks::opens(int type, int other) const
+{
+  const auto opens_itself = [this](int one) {
+    return rocks[one].energy > 0.0 || rocks[one].toughness > 0.0;
+  };
+  const Between own = given(type, other);
+  return own.energy > 0.0 || own.toughness > 0.0 || (opens_itself(type) && opens_itself(other));
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool TMSPHRocks::opens(int type) const
+{
+  for (int other = 1; other <= atom->ntypes; other++)
+    if (opens(type, other)) return true;
+  return false;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -130,30 +221,40 @@ bool TMSPHRocks::any_opens() const
 }
 
 /* ----------------------------------------------------------------------
-   K^2 = E G in plane stress, E/(1 - nu^2) G else
+   K^2 = E G in plane stress, E/(1 - nu^2) G else. Between types without values of their own the
+   mean, where both have one.
 ------------------------------------------------------------------------- */
 
-double TMSPHRocks::crack_energy(int type) const
+double TMSPHRocks::crack_energy(int type, int other) const
 {
-  const Rock &rock = rocks[type];
-  if (rock.toughness == 0.0) return rock.energy;
-  return rock.toughness * rock.toughness / crack_modulus(type);
+  const auto energy = [&](double G, double K) {
+    return K > 0.0 ? K * K / crack_modulus(type, other) : G;
+  };
+  if (type == other) return energy(rocks[type].energy, rocks[type].toughness);
+  const Between own = given(type, other);
+  if (own.energy > 0.0 || own.toughness > 0.0) return energy(own.energy, own.toughness);
+  const double one = crack_energy(type, type), two = crack_energy(other, other);
+  return one > 0.0 && two > 0.0 ? 0.5 * (one + two) : 0.0;
 }
 
-double TMSPHRocks::crack_modulus(int type) const
+double TMSPHRocks::crack_modulus(int type, int other) const
 {
-  const auto &m = materials->material(type).elastic;
   const bool plane_stress =
       domain->dimension == 2 && materials->words().plane == TMSPH::Plane::STRESS;
-  return plane_stress ? m.young : TMSPH::plane_modulus(m);
+  const auto modulus = [&](int one) {
+    const auto &m = materials->material(one).elastic;
+    return plane_stress ? m.young : TMSPH::plane_modulus(m);
+  };
+  return 0.5 * (modulus(type) + modulus(other));
 }
 
 /* ---------------------------------------------------------------------- */
 
-double TMSPHRocks::characteristic_length(int type) const
+double TMSPHRocks::characteristic_length(int type, int other) const
 {
-  const double tensile = tensile_strength(type);
-  return materials->material(type).young * crack_energy(type) / (tensile * tensile);
+  const double tensile = tensile_strength(type, other);
+  const double young = 0.5 * (materials->material(type).young + materials->material(other).young);
+  return young * crack_energy(type, other) / (tensile * tensile);
 }
 
 /* ----------------------------------------------------------------------

@@ -14,8 +14,11 @@
 #include "tmsph_criterion.h"
 #include "tmsph_ghost_rows.h"
 
+#include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -32,6 +35,7 @@ class TMSPHRocks : protected Pointers {
     double energy = 0.0;       // G_f of a crack; 0: bonds break at once
     double toughness = 0.0;    // K_Ic in place of it, or 0
     double tensile = 0.0;      // uniaxial tensile strength/strength, set at init
+    double weakest = 1.0;      // of its bonds, to other types, over what the types make it
   };
 
   TMSPHRocks(class LAMMPS *, std::unique_ptr<TMSPH::Criterion>);
@@ -45,18 +49,23 @@ class TMSPHRocks : protected Pointers {
   /// true if bonds between the two types are tested as those of one
   bool alike(int type, int other) const
   {
-    return one_rock || type == other || law->alike(type, other);
+    return one_rock || type == other || (law->alike(type, other) && !of_pair(type, other));
   }
-  /// uniaxial, without scatter; without a type the smallest
-  double tensile_strength(int type) const;
+  /// bonds between them have values of their own
+  bool of_pair(int type, int other) const { return between.count(std::minmax(type, other)); }
+  /// uniaxial, without scatter, of bonds between two types; without types the smallest of all
+  double tensile_strength(int type, int other) const;
   double tensile_strength() const;
-  /// true if bonds of this type open before they are gone, those of any type
-  bool opens(int type) const { return rocks[type].energy > 0.0 || rocks[type].toughness > 0.0; }
+  /// over the mean of both
+  double strength_factor(int type, int other) const;
+  /// true if bonds between two types open before they are gone, those of a type with any, any
+  bool opens(int type, int other) const;
+  bool opens(int type) const;
   bool any_opens() const;
-  /// G, E' and E G/tensile^2 of its cracks
-  double crack_energy(int type) const;
-  double crack_modulus(int type) const;
-  double characteristic_length(int type) const;
+  /// G, E' and E G/tensile^2 of cracks between two types
+  double crack_energy(int type, int other) const;
+  double crack_modulus(int type, int other) const;
+  double characteristic_length(int type, int other) const;
 
   /** Draws strengths for the ids of the present particles, once in a layout of the bonds
       (collective). All below needs them.
@@ -64,7 +73,25 @@ class TMSPHRocks : protected Pointers {
   bool follow(const FixTMSPHBond &, TMSPHGhostSender &);
   /// of particle i as the criterion's first word gives it, and its uniaxial tensile strength
   double strength(int i) const { return strengths[i]; }
+  /// of their bond
+  double strength(int i, int j) const
+  {
+    const int type = atom->type[i], other = atom->type[j];
+    const double mean = 0.5 * (strengths[i] + strengths[j]);
+    return type == other ? mean : strength_factor(type, other) * mean;
+  }
   double tensile_strength_of(int i) const { return strengths[i] * rocks[atom->type[i]].tensile; }
+  double tensile_strength_of(int i, int j) const
+  {
+    const int type = atom->type[i], other = atom->type[j];
+    const double mean = 0.5 * (tensile_strength_of(i) + tensile_strength_of(j));
+    return type == other ? mean : strength_factor(type, other) * mean;
+  }
+  /// of its weakest bonds, to particles that are as strong
+  double weakest_tensile_strength_of(int i) const
+  {
+    return tensile_strength_of(i) * rocks[atom->type[i]].weakest;
+  }
 
   // of local or ghost particles, with a row of stress as the sweeps have it
 
@@ -82,14 +109,21 @@ class TMSPHRocks : protected Pointers {
   double bytes() const { return strengths.capacity() * sizeof(double); }
 
  private:
+  /** Given for bonds between two types; 0: by those. */
+  struct Between {
+    double energy = 0.0, toughness = 0.0, tensile = 0.0;
+  };
   std::unique_ptr<TMSPH::Criterion> law;
-  std::vector<Rock> rocks;    // by type
+  std::vector<Rock> rocks;                           // by type
+  std::map<std::pair<int, int>, Between> between;    // the lower type first
   bool all_principals = false, one_rock = true;
   const TMSPHMaterials *materials = nullptr;    // since init
   int version = -1;                             // layout that strengths belong to
   std::vector<double> strengths;                // [nlocal+nghost] drawn
 
   void read_weibull(class TMSPHValues &);
+  void read_between(class TMSPHValues &);
+  Between given(int type, int other) const;
   TMSPH::Principals principals(const double *row, double zz) const;
   bool may_fail(int i, const double *row) const;
 };

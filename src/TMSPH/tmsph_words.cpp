@@ -166,6 +166,14 @@ bool TMSPHValues::word(const char *name, const char *needs)
 
 /* ---------------------------------------------------------------------- */
 
+bool TMSPHValues::word_of_one_number(const char *name)
+{
+  const auto number = [this](int n) { return last - next > n && utils::is_double(next[n]); };
+  return number(1) && !number(2) && word(name);
+}
+
+/* ---------------------------------------------------------------------- */
+
 bool TMSPHValues::number_follows() const
 {
   return next != last && utils::is_double(*next);

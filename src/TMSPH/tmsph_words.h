@@ -38,6 +38,8 @@ class TMSPHValues : protected Pointers {
   bool variable(std::string &name);
   /// takes the next value if it is this word, which needs further ones
   bool word(const char *name, const char *needs = "");
+  /// takes the next value if it is this word and exactly one number follows
+  bool word_of_one_number(const char *name);
   template <class T> T one_of(const std::vector<std::pair<std::string, T>> &table)
   {
     const std::string given = text();
