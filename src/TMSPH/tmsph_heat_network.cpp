@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace LAMMPS_NS;
 using namespace TMSPH;
@@ -118,7 +119,7 @@ template <int D> void TMSPHHeatNetwork::calibrate(int type, const std::vector<ch
 
 /* ---------------------------------------------------------------------- */
 
-template <int D> void TMSPHHeatNetwork::find_conductances()
+template <int D> void TMSPHHeatNetwork::find_conductances(const std::vector<int> &particles)
 {
   const Slices &slices = bonds->layout();
   const int ntypes = atom->ntypes;
@@ -134,13 +135,13 @@ template <int D> void TMSPHHeatNetwork::find_conductances()
       for (int b = 0; b < D; b++) K(a, b) = calibrated[type][3 * a + b];
     directional[type] = DirectionalConductivity<D>(K);
   }
-  conductances.assign(slices.weight.size(), 0.0f);
-  sum_of.assign(atom->nlocal, 0.0);
-  for (int i = 0; i < atom->nlocal; i++) {
+  for (const int i : particles) {
     const int itype = atom->type[i];
+    sum_of[i] = 0.0;
     for (int n = 0; n < bonds->count(i); n++) {
-      if (bonds->bond_state(i, n) != FixTMSPHBond::INTACT) continue;
       const size_t at = slices.at(i, n);
+      conductances[at] = 0.0f;
+      if (bonds->bond_state(i, n) != FixTMSPHBond::INTACT) continue;
       const int j = slices.partner[at], jtype = atom->type[j];
       double ki = k[itype], kj = k[jtype];
       if (materials.orthotropic(itype) || materials.orthotropic(jtype)) {
@@ -175,30 +176,33 @@ double TMSPHHeatNetwork::correction(int i, int j, const double *X) const
   return balance.any() ? balance.factor(i, j, X) : flat_faces.factor(i, j, X);
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   of all particles, or of those that lost bonds: as if they were all found now, since the stages of
+   a step follow from the sums
+------------------------------------------------------------------------- */
 
 void TMSPHHeatNetwork::follow()
 {
+  std::vector<int> particles;
   if (watch.laid_out_anew(*bonds)) {
     norms_of_bonds.complete(ghosts);
     balance.complete();
     flat_faces.complete();
-    domain->dimension == 2 ? find_conductances<2>() : find_conductances<3>();
-  } else if (watch.removed(*bonds))
-    drop_conductances();
+    conductances.assign(bonds->layout().weight.size(), 0.0f);
+    sum_of.resize(atom->nlocal);
+    particles.resize(atom->nlocal);
+    std::iota(particles.begin(), particles.end(), 0);
+  } else if (watch.removed(*bonds)) {
+    watch.each_removal(*bonds, [&particles](int i) { particles.push_back(i); });
+    std::sort(particles.begin(), particles.end());
+    particles.erase(std::unique(particles.begin(), particles.end()), particles.end());
+  }
   watch.see(*bonds);
-}
-
-/* ----------------------------------------------------------------------
-   the sums stay as bounds: with fewer bonds the stable step is only longer
-------------------------------------------------------------------------- */
-
-void TMSPHHeatNetwork::drop_conductances()
-{
-  const Slices &slices = bonds->layout();
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int n = 0; n < bonds->count(i); n++)
-      if (bonds->bond_state(i, n) != FixTMSPHBond::INTACT) conductances[slices.at(i, n)] = 0.0f;
+  if (particles.empty()) return;
+  if (domain->dimension == 2)
+    find_conductances<2>(particles);
+  else
+    find_conductances<3>(particles);
 }
 
 /* ---------------------------------------------------------------------- */

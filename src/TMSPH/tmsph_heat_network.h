@@ -74,8 +74,7 @@ class TMSPHHeatNetwork : protected Pointers {
   bool corrected(int i, int j) const { return balance.any() || flat_faces.beside(i, j); }
   double correction(int i, int j, const double *X) const;
   template <int D> void calibrate(int type, const std::vector<char> &near);
-  template <int D> void find_conductances();
-  void drop_conductances();
+  template <int D> void find_conductances(const std::vector<int> &particles);
 };
 
 }    // namespace LAMMPS_NS
