@@ -167,9 +167,7 @@ void FixTMSPHBreak::find_due(const double *stress)
       Due bond = {i, k, 0.0, {}, {}};
       for (int c = 0; c < size; c++) bond.stress[c] = 0.5 * (row(i)[c] + row(j)[c]);
       bond.principals = rock.principals(i, j, row(i), row(j), bond.stress);
-      if (looked ? opening.open(i, k, j, bond.stress)
-                 : softens && opening.pulled(i, j, bond.principals))
-        continue;
+      if (softens && softening(bond, looked)) continue;
       const double strength = rock.strength(i, j);
       const int other = same ? type[i] : type[j];
       if (ranked) {
@@ -180,6 +178,30 @@ void FixTMSPHBreak::find_due(const double *stress)
         due_bonds.push_back(bond);
     }
   }
+}
+
+/* ----------------------------------------------------------------------
+   of a bond that opens before it is gone
+   return false if it fails without tension: it breaks at once
+------------------------------------------------------------------------- */
+
+bool FixTMSPHBreak::softening(Due &bond, bool looked)
+{
+  if (opening.is_open(bond.i, bond.k)) return true;
+  const int j = bonds->partner_index(bond.i, bond.k);
+  const double strength = rock.tensile_strength_of(bond.i, j);
+  double stress[6];
+  std::copy_n(bond.stress, 6, stress);
+  const double pull = looked ? opening.pull(bond.i, j, stress) : bond.principals.largest;
+  if (!opening.is_tension(pull, strength)) return false;
+  test.largest = std::max(test.largest, pull / strength);
+  if (looked && pull >= strength) {
+    std::copy_n(stress, 6, bond.stress);
+    bond.load = pull / strength;
+    bond.opens = true;
+    due_bonds.push_back(bond);
+  }
+  return true;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -205,14 +227,17 @@ void FixTMSPHBreak::break_bonds(const double *stress, std::vector<int> &touched)
   opening.follow(stress);
   armed = false;
   find_due(stress);
-  opening.complete();
   if (relative > 0.0)
     keep_most_loaded();
   else if (fresh)
     warn_of_hot_start();
   fresh = false;
   relative = 0.0;
+  for (const Due &bond : due_bonds)
+    if (bond.opens) opening.begin(bond.i, bond.k, bond.stress);
+  opening.complete();
   for (const Due &bond : due_bonds) {
+    if (bond.opens) continue;
     remove(bond.i, bond.k, bond.stress, bond.principals.largest > 0.0, touched);
     if (list) debris.add(bond.i, bonds->partner_index(bond.i, bond.k), *bonds);
   }
@@ -261,6 +286,13 @@ void FixTMSPHBreak::test_next(double fraction)
 {
   armed = true;
   relative = fraction;
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixTMSPHBreak::any_damage()
+{
+  return compute_scalar() > 0.0 || (openings() && openings()->anywhere());
 }
 
 /* ---------------------------------------------------------------------- */

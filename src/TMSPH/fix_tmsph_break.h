@@ -66,6 +66,8 @@ class FixTMSPHBreak :
   void test_next(double fraction);
   const Test &last_test() const { return test; }
   const TMSPHRocks &rocks() const { return rock; }
+  /// a bond broke, in this or an earlier run, or opens
+  bool any_damage();
   /// draws strengths of the present particles (collective)
   void find_strengths();
 
@@ -75,6 +77,7 @@ class FixTMSPHBreak :
     int i, k;
     double load, stress[6];
     TMSPH::Principals principals;
+    bool opens = false;    // before it is gone
   };
 
   PairTMSPH *pair;
@@ -94,6 +97,7 @@ class FixTMSPHBreak :
 
   void follow_layout();
   void find_due(const double *stress);
+  bool softening(Due &, bool looked);
   void keep_most_loaded();
   void warn_of_hot_start();
   std::vector<std::string> described(int type, int other);

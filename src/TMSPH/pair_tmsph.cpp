@@ -12,6 +12,7 @@
 #include "tmsph_openings.h"
 #include "tmsph_pi.h"
 #include "tmsph_stop.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,9 +69,12 @@ template <int D> void PairTMSPH::evaluate()
   find_gradients<D>(out, contact || averaging.on() || openings());
   if (inverted >= 0) stop_inverted(lmp, *bond_fix, inverted);
 
-  // breaking
+  // breaking; openings in a search for equilibrium
 
-  if (testing) test_bonds<D>();
+  if (testing)
+    test_bonds<D>();
+  else if (opens() && update->whichflag == 2)
+    openings()->relax<D>(bond_state());
 
   // forces of bonds, from the rows of both ends
 

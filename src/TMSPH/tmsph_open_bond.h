@@ -42,6 +42,7 @@ struct OpenBond {
   double area = 0.0;        ///< A of the crack that the bond stands for
   double patience = 0.0;    ///< updates until leaving the fit is tried again
   double leaves = 0.0;      ///< 1: the next step begins without it
+  double settled = 0.0;     ///< largest opening before the present search for equilibrium
   double normal[3] = {};    ///< N
 };
 constexpr int OPEN_BOND_SIZE = sizeof(OpenBond) / sizeof(double);

@@ -9,8 +9,10 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_tmsph_bond.h"
+#include "min_tmsph_lbfgs.h"
 #include "pair_tmsph.h"
 #include "tmsph_rocks.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +62,7 @@ void TMSPHOpeningRule::init(PairTMSPH &style, TMSPHGhostSender &ghosts)
     opening = std::make_unique<TMSPHOpenings>(lmp, *bonds, ghosts);
     if (comm->me == 0) opening->balance().resume(before);
   }
+  if (opening) opening->settle();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -67,6 +70,11 @@ void TMSPHOpeningRule::init(PairTMSPH &style, TMSPHGhostSender &ghosts)
 void TMSPHOpeningRule::check(const std::string &style) const
 {
   if (!opening) return;
+  if (update->whichflag == 2 && !dynamic_cast<MinTMSPHLBFGS *>(update->minimize))
+    error->all(FLERR,
+               "Min style {} cannot follow bonds that open, as in fix {}: use 'min_style "
+               "tmsph/lbfgs', which is the default",
+               update->minimize_style, style);
   if (!std::holds_alternative<TMSPH::WendlandC2>(pair->kernel_of_bonds()))
     error->all(FLERR,
                "Words energy and toughness of fix {} are calibrated for kernel wendland of "
@@ -150,10 +158,10 @@ void TMSPHOpeningRule::follow(const double *stress)
   opening->look(all[1]);
   if (!looking) return;
   if (two) {
-    opening->exchange<2>(pair->bond_state(), watched);
+    opening->exchange<2>(pair->bond_state(), watched.data());
     opening->update<2>(pair->bond_state());
   } else {
-    opening->exchange<3>(pair->bond_state(), watched);
+    opening->exchange<3>(pair->bond_state(), watched.data());
     opening->update<3>(pair->bond_state());
   }
 }
@@ -173,38 +181,37 @@ bool TMSPHOpeningRule::may_open(int i, const double *row) const
 
 /* ---------------------------------------------------------------------- */
 
-bool TMSPHOpeningRule::pulled(int i, int j, const TMSPH::Principals &p) const
+bool TMSPHOpeningRule::is_tension(double pull, double strength)
 {
-  return p.largest > NO_TENSION * rocks.tensile_strength_of(i, j);
+  return pull > NO_TENSION * strength;
 }
 
 /* ----------------------------------------------------------------------
    Rankine with the residual of the fits, see tmsph_openings.h
 ------------------------------------------------------------------------- */
 
-bool TMSPHOpeningRule::open(int i, int k, int j, const double *mean)
+double TMSPHOpeningRule::pull(int i, int j, double *stress) const
 {
-  const double strength = rocks.tensile_strength_of(i, j);
-  if (opening->opens_bond(i, k)) return true;
-  const bool two = domain->dimension == 2;
-  double stress[6];
-  std::copy_n(mean, 6, stress);
-  if (two)
+  if (domain->dimension == 2) {
     opening->add_residual<2>(i, j, stress);
-  else
-    opening->add_residual<3>(i, j, stress);
-  const double pull = two ? TMSPH::principals_2d(stress).largest
-                          : TMSPH::principals_3d(stress).largest;
-  if (pull >= strength) {
-    const double energy = rocks.crack_energy(atom->type[i], atom->type[j]) / CALIBRATION;
-    if (two)
-      opening->begin<2>(i, k, j, stress, strength, energy);
-    else
-      opening->begin<3>(i, k, j, stress, strength, energy);
-    began = true;
-    return true;
+    return TMSPH::principals_2d(stress).largest;
   }
-  return pull > NO_TENSION * strength;
+  opening->add_residual<3>(i, j, stress);
+  return TMSPH::principals_3d(stress).largest;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHOpeningRule::begin(int i, int k, const double *stress)
+{
+  const int j = bonds->partner_index(i, k);
+  const double strength = rocks.tensile_strength_of(i, j);
+  const double energy = rocks.crack_energy(atom->type[i], atom->type[j]) / CALIBRATION;
+  if (domain->dimension == 2)
+    opening->begin<2>(i, k, j, stress, strength, energy);
+  else
+    opening->begin<3>(i, k, j, stress, strength, energy);
+  began = true;
 }
 
 /* ---------------------------------------------------------------------- */

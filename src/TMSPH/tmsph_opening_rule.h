@@ -41,12 +41,16 @@ class TMSPHOpeningRule : protected Pointers {
   bool opens(int i, int j) const;
   /// bonds at local or ghost particle i are looked at
   bool near(int i) const { return looking && opening->near(i); }
-  /// a bond that is not: what fails in it is tension, which it takes by opening when it comes near
-  /// what opens
-  bool pulled(int i, int j, const TMSPH::Principals &) const;
-  /** Bond k of local particle i, to j, opens if it must.
-      @return false if it fails without tension: it breaks at once */
-  bool open(int i, int k, int j, const double *stress);
+  /// bond k of local particle i is open
+  bool is_open(int i, int k) const { return opening->opens_bond(i, k); }
+  /** Of a bond that is looked at.
+      @param stress mean of its ends, in return with what their fits leave over of it
+      @return       its largest principal stress */
+  double pull(int i, int j, double *stress) const;
+  /// what fails in a bond with this largest principal stress is tension, which it takes by opening
+  static bool is_tension(double pull, double strength);
+  /// bond k of local particle i begins to open
+  void begin(int i, int k, const double *stress);
   /// those that began to are known (collective)
   void complete();
 

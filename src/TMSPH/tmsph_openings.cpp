@@ -46,6 +46,14 @@ void TMSPHOpenings::follow()
 
 /* ---------------------------------------------------------------------- */
 
+void TMSPHOpenings::settle()
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < values.count(i); m++) bond(i, m).settled = bond(i, m).opening.most;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void TMSPHOpenings::make_rows(int width)
 {
   if (rows.columns() != width) rows.set_columns(width);
@@ -188,7 +196,9 @@ template <int D> void TMSPHOpenings::fill_open_rows(const TMSPHBondState &s)
   for (size_t n = 0; n < open.size(); n++) {
     const int i = open[n];
     double *const r = rows[i];
-    store<D>(s.own_side->has(i) ? own_gradient<D>(*s.own_side, i, fits[n]) : fits[n].H, r + O::H);
+    store<D>(s.own_side && s.own_side->has(i) ? own_gradient<D>(*s.own_side, i, fits[n])
+                                              : fits[n].H,
+             r + O::H);
     store<D>(fits[n].rotation, r + O::R);
     store<D>(fits[n].B, r + O::B);
   }

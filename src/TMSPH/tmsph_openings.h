@@ -9,7 +9,9 @@
    these are on their law again; both halves of the kick have the forces of then.
    So positions feel the potential that is left when the openings are in
    equilibrium: nothing is lost to how fast a crack opens. (One update a step
-   lags behind, and acts like viscosity between the faces.)
+   lags behind, and acts like viscosity between the faces.) Searches for
+   equilibrium have that potential too: until one ends, openings may go back to
+   where it began.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_TMSPH_OPENINGS_H
@@ -73,8 +75,9 @@ class TMSPHOpenings : protected Pointers {
   };
   const std::vector<Energy> &energies() const { return energy; }
 
-  /// rows of all local particles are filled and sent (collective). near: bonds at them are tested
-  template <int D> void exchange(const TMSPHBondState &, const std::vector<char> &near);
+  /// rows of all local particles are filled and sent (collective). near: bonds at them are tested;
+  /// or nullptr, if none are
+  template <int D> void exchange(const TMSPHBondState &, const char *near);
   bool near(int i) const { return rows[i][near_column] != 0.0; }
   /// adds what the fits of both ends leave over of bond (i, j) to its mean stress
   template <int D> void add_residual(int i, int j, double *stress) const;
@@ -87,6 +90,10 @@ class TMSPHOpenings : protected Pointers {
   template <int D> void complete(const TMSPHBondState &);
   /// openings follow the tractions, again and again (collective); after exchange()
   template <int D> void update(TMSPHBondState);
+  /// the same in a search for equilibrium, from what the openings were before it (collective)
+  template <int D> void relax(TMSPHBondState);
+  /// no search goes back beyond the openings of now
+  void settle();
   /// particles and places of bonds that leave the fit now, seen from each end; booked as finished
   std::vector<std::pair<int, int>> leaving();
 
@@ -129,7 +136,10 @@ class TMSPHOpenings : protected Pointers {
   template <int D> void gather(const TMSPHBondState &, int i, TMSPH::OpenFit<D> &) const;
   /// rows of particles with openings after their fits
   template <int D> void fill_open_rows(const TMSPHBondState &);
-  template <int D> double update_once(bool decides);
+  /// how they are found
+  enum Way { STEP, STEP_ON, SEARCH };
+  template <int D> void follow_laws(const TMSPHBondState &, Way, double close, int most);
+  template <int D> double update_once(Way);
   void decide_leaving(int i, int j, TMSPH::OpenBond &);
   template <int D> void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);
 };

@@ -32,6 +32,12 @@ constexpr double PATIENCE = 20.0;
 constexpr double CLOSE_TO_LAW = 1.0e-3;
 constexpr int MOST_SWEEPS = 30;
 
+// in a search for equilibrium, whose forces are to be a derivative; less than the residual, in the
+// same unit, with which tmsph/quasistatic ends one
+
+constexpr double CLOSE_IN_SEARCH = 1.0e-6;
+constexpr int MOST_IN_SEARCH = 300;
+
 // opened by this part of the end of the law a bond is fully open
 
 constexpr double FULLY = 0.999;
@@ -70,8 +76,7 @@ template <int D> [[gnu::noinline]] Column<D> pulled_direction(const double *stre
 
 /* ---------------------------------------------------------------------- */
 
-template <int D>
-void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &near)
+template <int D> void TMSPHOpenings::exchange(const TMSPHBondState &s, const char *near)
 {
   using O = OpenRow<D>;
   using R = Rows<D>;
@@ -80,7 +85,7 @@ void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &n
   candidate_column = O::CANDIDATE;
   kinematic = s.kinematic;
   heated = s.on.thermal == ThermalStrain::BOND;
-  const double *const own_side = s.own_side->gradients(),
+  const double *const own_side = s.own_side ? s.own_side->gradients() : nullptr,
                       *const gradient = own_side ? own_side : s.gradient;
   for (int i = 0; i < atom->nlocal; i++) {
     const double *const own = s.slices.constants<D>(i);
@@ -90,7 +95,7 @@ void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &n
     std::copy_n(gradient + (size_t) i * D * D, D * D, r + O::H);
     r[O::CHI] = constant(3);
     r[O::MODULUS] = constant(1) + 2.0 * constant(2);
-    r[O::NEAR] = near[i];
+    r[O::NEAR] = near && near[i];
     r[O::LEAST] = 0.0;    // no openings
   }
   fill_open_rows<D>(s);
@@ -100,7 +105,7 @@ void TMSPHOpenings::exchange(const TMSPHBondState &s, const std::vector<char> &n
     rows[open[n]][O::LEAST] =
         std::max(least_of_shape<D>(fit.shape_inverse, fit.volume, bonds.interior_kappa()),
                  std::numeric_limits<double>::min());
-    find_candidate<D>(open[n], fit, s.on.law);
+    if (near) find_candidate<D>(open[n], fit, s.on.law);
   }
   ghosts.send(rows, 0, O::WIDTH);
 }
@@ -267,27 +272,46 @@ template <int D> void TMSPHOpenings::complete(const TMSPHBondState &s)
 
 template <int D> void TMSPHOpenings::update(TMSPHBondState s)
 {
-  using O = OpenRow<D>;
   s.stress = nullptr;    // ghosts have that of before
-  for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+  follow_laws<D>(s, STEP, CLOSE_TO_LAW, MOST_SWEEPS);
+  settle();
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void TMSPHOpenings::relax(TMSPHBondState s)
+{
+  s.stress = nullptr;
+  s.own_side = nullptr;    // nothing is tested
+  exchange<D>(s, nullptr);
+  follow_laws<D>(s, SEARCH, CLOSE_IN_SEARCH, MOST_IN_SEARCH);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D>
+void TMSPHOpenings::follow_laws(const TMSPHBondState &s, Way way, double close, int most)
+{
+  using O = OpenRow<D>;
+  for (int sweep = 0; sweep < most; sweep++) {
     if (sweep) {
       fill_open_rows<D>(s);
       ghosts.send(rows, O::H, O::LEAST - O::H);
     }
-    const double mine = update_once<D>(sweep == 0);
+    const double mine = update_once<D>(sweep && way == STEP ? STEP_ON : way);
     correct<D>(s);
     double largest;
     MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
-    if (largest <= CLOSE_TO_LAW) break;
+    if (largest <= close) break;
   }
 }
 
 /* ----------------------------------------------------------------------
-   @param decides which bonds leave the fit next
-   @return        the largest change of a traction over the strength
+   STEP decides which bonds leave the fit next, too
+   @return the largest change of a traction over the strength
 ------------------------------------------------------------------------- */
 
-template <int D> double TMSPHOpenings::update_once(bool decides)
+template <int D> double TMSPHOpenings::update_once(Way way)
 {
   using O = OpenRow<D>;
   double largest = 0.0;
@@ -317,12 +341,13 @@ template <int D> double TMSPHOpenings::update_once(bool decides)
               return stored_energy(one, b.opening) + dissipated_energy(one, b.opening);
             };
             account.rise_by(-0.5 * b.area * total());
+            if (way == SEARCH) b.opening.most = b.settled;
             TMSPH::update(one, b.opening, pull / b.area, stiffness);
             account.rise_by(0.5 * b.area * total());
           },
           law);
       largest = std::max(largest, stiffness * std::fabs(b.opening.now - c) / b.opening.strength);
-      if (decides) decide_leaving(i, j, b);
+      if (way == STEP) decide_leaving(i, j, b);
     }
   account.end_update();
   return largest;
@@ -363,12 +388,13 @@ std::vector<std::pair<int, int>> TMSPHOpenings::leaving()
 
 /* ---------------------------------------------------------------------- */
 
-#define INSTANTIATE(D)                                                                         \
-  template void TMSPHOpenings::exchange<D>(const TMSPHBondState &, const std::vector<char> &); \
-  template void TMSPHOpenings::add_residual<D>(int, int, double *) const;                      \
-  template void TMSPHOpenings::begin<D>(int, int, int, const double *, double, double);        \
-  template void TMSPHOpenings::complete<D>(const TMSPHBondState &);                            \
-  template void TMSPHOpenings::update<D>(TMSPHBondState);
+#define INSTANTIATE(D)                                                                  \
+  template void TMSPHOpenings::exchange<D>(const TMSPHBondState &, const char *);       \
+  template void TMSPHOpenings::add_residual<D>(int, int, double *) const;               \
+  template void TMSPHOpenings::begin<D>(int, int, int, const double *, double, double); \
+  template void TMSPHOpenings::complete<D>(const TMSPHBondState &);                     \
+  template void TMSPHOpenings::update<D>(TMSPHBondState);                               \
+  template void TMSPHOpenings::relax<D>(TMSPHBondState);
 
 INSTANTIATE(2)
 INSTANTIATE(3)

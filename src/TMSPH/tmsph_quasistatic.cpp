@@ -154,11 +154,6 @@ void TMSPHQuasistatic::check_fixes()
                      fix->style);
   }
   rock = FixTMSPHBreak::find(lmp);
-  if (rock && rock->openings())
-    error->all(FLERR,
-               "Tmsph/quasistatic cannot follow bonds that open: leave out energy and "
-               "toughness in fix {} {}, or use run",
-               rock->style, rock->id);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -241,7 +236,7 @@ void TMSPHQuasistatic::prepare()
 
 bool TMSPHQuasistatic::any_broken() const
 {
-  return rock && rock->compute_scalar() > 0.0;
+  return rock && rock->any_damage();
 }
 
 /* ----------------------------------------------------------------------

@@ -55,7 +55,7 @@ void TMSPHRocks::read(const std::string &style, char **next, char **last)
   };
   words.push_back({"energy", "I value", opens_with(&Rock::energy, &Rock::toughness)});
   words.push_back({"toughness", "I value", opens_with(&Rock::toughness, &Rock::energy)});
-  words.push_back({"between", "I J energy/toughness/strength value ...",
+  words.push_back({"between", "I J [energy/toughness/strength value ...]",
                    [this](TMSPHValues &v) { read_between(v); }});
   words.push_back({"weibull", "I modulus seed", [this](TMSPHValues &v) { read_weibull(v); }});
   words.push_back({"principal", "inplane/all", [this](TMSPHValues &v) {

@@ -1,9 +1,9 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
-"""Centre-cracked plates whose bonds open, pulled apart slowly between grips: the peak of the load
+"""Centre-cracked plates whose bonds open, pulled apart between grips in equilibrium: the peak of the load
 against finite elements with a cohesive zone (cohesive_zone.py), which are held to the limits of an
-infinite plate first. The bars of the plates are those of the same fracture energy at any spacing, on any
-lattice; that is not reached: peaks are 1 to 3.4 and 3.8 to 4.5 % high at spacings of 0.2 and 0.3 of the
-characteristic length. Plates run by name only: test_cct.py plates, or rate, spacings, lengths."""
+infinite plate first. By name only, as they take minutes: spacings, of 0.3 and 0.1 of the characteristic
+length; lengths of the crack; rate, pulled in steps of time. At 0.3 some do not reach the bar of 4 %: on
+the hexagonal lattice at 15 degrees peaks are 4.2, 5.3 and 4.3 % high for a/l 1, 5 and 10."""
 
 import numpy as np
 
@@ -36,10 +36,10 @@ def effective_length(X, reach, a):
 
 
 class Plate:
-    """Lengths a and spacing over LENGTH. slowness: how many times a wave crosses the height until the
-    peak."""
+    """Lengths a and spacing over LENGTH. It is stretched by so many steps to 1.15 times the stretch at the
+    peak by finite elements."""
 
-    def __init__(self, a, spacing, name, angle, slowness=80):
+    def __init__(self, a, spacing, name, angle, steps=150):
         dx = spacing * LENGTH
         self.width, self.height = (np.round(size / spacing) * dx for size in SIZES[a])
         self.notch = round(a / spacing) * dx
@@ -55,30 +55,52 @@ class Plate:
             h=min(0.05 * LENGTH, 0.05 * self.a))
         self.peak, self.stretch = stress.max(), U[stress.argmax()]
         self.stiffness = stress[0] / U[0]
-        self.time = slowness * 2 * self.height / SPEED
-        self._run()
+        self.steps, self.step = steps, 1.15 * self.stretch / steps
+        run = self.hold(self.scene()).add(
+            f"variable k loop {steps}\nlabel next\n"
+            f"displace_atoms all ramp y {-self.step} {self.step} y {-self.height} {self.height} units box\n"
+            "tmsph/quasistatic 1\nnext k\njump SELF next").run()
+        moved = self.step * np.arange(1, steps + 1)
+        self.take(moved, *(np.array([table[column][-1] for table in run.tables])
+                           for column in ("f_low[2]", "f_high[2]", "f_break[11]")))
 
-    def _run(self):
-        step, speed, h = 0.7 * self.spacing / SPEED, self.stretch / self.time, self.height
+    def scene(self, pair=""):
+        """With grips that do not move by themselves."""
+        h = self.height
+        scene = Scene(self.cloud, [material(YOUNG, POISSON, DENSITY)], f"plane stress {pair}")
+        scene.add(f"tmsph/cut all line {-self.notch} 1e-7 {self.notch} 1e-7\n"
+                  f"region low block INF INF INF {-h} INF INF\nregion high block INF INF {h} INF INF INF\n"
+                  "group low region low\ngroup high region high\n"
+                  f"fix break all tmsph/rankine tensile * {TENSILE} energy * {ENERGY}")
+        return scene
+
+    def hold(self, scene):
+        """After all else that acts on the grips."""
+        scene.add("fix low low setforce 0 0 0\nfix high high setforce 0 0 0")
+        return scene.thermo("step f_low[2] f_high[2] f_break[11]", 20)
+
+    def take(self, moved, low, high, opening):
+        """Load and stiffness from the forces on the grips."""
+        self.load = 0.25 * (low - high) / self.width
+        begun = np.argmax(opening > 0)
+        part = slice(begun // 3, begun)
+        self.measured = np.polyfit(moved[part], self.load[part], 1)[0]
+
+    def pull(self, slowness=80):
+        """Peak of the load if a wave crosses the height so many times until then."""
+        time, h = slowness * 2 * self.height / SPEED, self.height
+        step, speed = 0.7 * self.spacing / SPEED, self.stretch / time
         # drag on what moves otherwise than all of the plate evenly, a tenth of the critical one
         drag = 0.2 * np.pi * SPEED / (4 * h) * DENSITY * self.cloud.volume[0]
-        scene = Scene(self.cloud, [material(YOUNG, POISSON, DENSITY)], "plane stress viscosity 0.1 0")
-        scene.add(f"tmsph/cut all line {-self.notch} 1e-7 {self.notch} 1e-7")
+        scene = self.scene("viscosity 0.1 0")
         scene.set("vy", speed / h * np.clip(self.cloud.X[:, 1], -h, h))
-        scene.add(f"region low block INF INF INF {-h} INF INF\nregion high block INF INF {h} INF INF INF\n"
-                  "group low region low\ngroup high region high\n"
-                  f"fix break all tmsph/rankine tensile * {TENSILE} energy * {ENERGY}\n"
-                  f"fix move all nve\nfix drag all viscous {drag}\n"
+        scene.add(f"fix move all nve\nfix drag all viscous {drag}\n"
                   f"variable even atom {drag * speed / h}*y\nfix even all addforce 0 v_even 0\n"
-                  "fix low low setforce 0 0 0\nfix high high setforce 0 0 0\n"
                   f"timestep {step:.17g}")
-        scene.thermo("step f_low[2] f_high[2] f_break[11]", 20)
-        run = scene.add(f"run {int(1.25 * self.time / step)}").run()
-        self.moved = speed * step * run.thermo("Step")
-        self.load = 0.25 * (run.thermo("f_low[2]") - run.thermo("f_high[2]")) / self.width
-        begun = np.argmax(run.thermo("f_break[11]") > 0)
-        part = slice(begun // 3, begun)
-        self.measured = np.polyfit(self.moved[part], self.load[part], 1)[0]
+        run = self.hold(scene).add(f"run {int(1.25 * time / step)}").run()
+        self.take(speed * step * run.thermo("Step"),
+                  *(run.thermo(column) for column in ("f_low[2]", "f_high[2]", "f_break[11]")))
+        return self.load.max()
 
 
 def compare(report, a, spacing, lattices=LATTICES):
@@ -114,9 +136,12 @@ def plates(report):
 
 
 def rate(report):
-    """Half as fast is slow enough."""
-    slow, slower = (Plate(2, 0.2, "hex", 15, slowness).load.max() for slowness in (80, 160))
+    """Pulled slowly a plate bears what it does in equilibrium; half as fast is slow enough."""
+    plate = Plate(2, 0.2, "hex", 15)
+    still = plate.load.max()
+    slow, slower = (plate.pull(slowness) for slowness in (80, 160))
     report.below("change of the peak by half of the rate", abs(slower / slow - 1), 0.005)
+    report.within("peak of a slow pull/that of equilibria", slower / still, 0.99, 1.01)
 
 
 def spacings(report):
@@ -131,4 +156,4 @@ def lengths(report):
 
 
 if __name__ == "__main__":
-    main(infinite, more=(plates, rate, spacings, lengths))
+    main(infinite, plates, more=(rate, spacings, lengths))

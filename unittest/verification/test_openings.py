@@ -1,13 +1,13 @@
 # TMSPH - thermal fracture of rock for LAMMPS. GNU General Public License v2.
 """Bonds that open: a notched strip between grips is pulled apart. The crack takes the given energy
 on lattices in any direction, no update of the openings gains energy, and half-way the run goes on
-from a restart file and on several processors with the same bits. Bars without a notch bear the
-strength. A body that is torn apart by its own rotation keeps its angular momentum and gains no
-energy. Limits of the method are told."""
+from a restart file and on several processors with the same bits. So do equilibria of it; a crack between
+two types of the same rock is as one in it. Bars without a notch bear the strength. A body that is torn
+apart by its own rotation keeps its angular momentum and gains no energy. Limits of the method are told."""
 
 import numpy as np
 
-from tmsph_testing import Scene, lattice, main, material
+from tmsph_testing import Scene, Script, lattice, main, material
 
 YOUNG, POISSON, DENSITY, TENSILE, ENERGY = 20e9, 0.2, 2500.0, 14.77e6, 60.0
 LENGTH = YOUNG * ENERGY / TENSILE**2    # characteristic, 5.5 mm
@@ -65,6 +65,69 @@ class Strip:
         return self.fixes(scene).add(f"run {steps}")
 
 
+STRETCH = 0.65e-6    # of a strip in a step of equilibria; its crack is through after 20 of 40
+
+
+def still_strip(name, angle, spacing):
+    """A strip that equilibria() stretches, and half the distance of its grips."""
+    grip = 0.5 * HEIGHT - 3 * spacing
+    scene = Scene(Strip(name, angle, spacing).cloud, [material(YOUNG, POISSON, DENSITY)])
+    scene.add(f"tmsph/cut all line -1 1e-7 {-0.5 * WIDTH + NOTCH} 1e-7\n"
+              f"region low block INF INF INF {-grip} INF INF\nregion high block INF INF {grip} INF INF INF\n"
+              "group low region low\ngroup high region high")
+    return scene, grip
+
+
+def equilibria(scene, grip, steps, rock=ROCK, first=""):
+    """first: before them, as LAMMPS moves nothing after read_restart without a run."""
+    columns = " ".join(f"f_break[{k}]" for k in range(6, 12))
+    return scene.add(
+        f"fix break all tmsph/rankine {rock}\nfix low low setforce 0 0 0\nfix high high setforce 0 0 0\n"
+        f"thermo_style custom step pe f_low[2] f_high[2] f_break {columns}\n"
+        f"thermo_modify norm no format float %.17g\nthermo 1\n{first}\nvariable k loop {steps}\nlabel next\n"
+        f"displace_atoms all ramp y {-0.5 * STRETCH} {0.5 * STRETCH} y {-grip} {grip} units box\n"
+        "tmsph/quasistatic 1\nnext k\njump SELF next")
+
+
+def still(report):
+    """In equilibrium. What the grips do in a step, as if the load grew in it as in an intact strip, is never
+    less than what bonds gain and openings take."""
+    for name, angle in (("square", 0), ("hex", 15)):
+        run = equilibria(*still_strip(name, angle, SPACING), 40).run()
+        table = {key: np.array([0.0] + [one[key][-1] for one in run.tables]) for key in run.tables[0]}
+        load = 0.5 * np.abs(table["f_low[2]"] - table["f_high[2]"])
+        work = (load[:-1] + 0.5 * load[1]) * STRETCH
+        took = table["f_break[6]"] + table["f_break[9]"]
+        what, whole = f"{name} {angle}, in equilibrium", ENERGY * (WIDTH - NOTCH)
+        report.above(f"{what}: least energy that leaves in a step/(G area)",
+                     (work - np.diff(table["PotEng"] + took)).min() / whole, -1e-9)
+        report.below(f"{what}: gained by updates/dissipated", table["f_break[8]"][-1] / took[-1], 1e-4)
+        report.below(f"{what}: load in the end/largest", load[-1] / load.max(), 0.01)
+        report.note(f"{what}: energy of the crack/(G area)", f"{took[-1] / whole:.3f}")
+
+
+def still_bits(report):
+    """On several processors, and from a restart file between equilibria with open bonds."""
+    state = "x y z fx fy fz"
+    scene, grip = still_strip("square", 0, 2e-3)
+    whole = equilibria(scene, grip, 22).snapshot("end", state).run()
+    columns = whole.frame("end")(state)
+    for ranks in (2, 4):
+        scene, grip = still_strip("square", 0, 2e-3)
+        run = equilibria(scene, grip, 22).snapshot("end", state).run(ranks)
+        report.within(f"equilibria on {ranks} processes: largest difference",
+                      np.abs(run.frame("end")(state) - columns).max(), 0, 0)
+    scene, grip = still_strip("square", 0, 2e-3)
+    first = equilibria(scene, grip, 18).add("write_restart half.restart").run(2, keep="half.restart")
+    report.above("bonds that open where it is cut in two", first.tables[-1]["f_break[11]"][-1], 10)
+    rest = Script("read_restart half.restart", first.kept)
+    run = equilibria(rest, grip, 4, first="run 0 post no").snapshot("end", state).run()
+    report.within("equilibria from a restart file: largest difference",
+                  np.abs(run.frame("end")(state) - columns).max(), 0, 0)
+    report.within("energy of the crack/that without a restart",
+                  run.tables[-1]["f_break[6]"][-1] / whole.tables[-1]["f_break[6]"][-1], 1 - 1e-12, 1 + 1e-12)
+
+
 def energies(report):
     """Per area of the crack, with what updates and leaving bonds lose. The bar of 5 % is that of the
     scatter of a calibration over lattices: 3 to 4 % each way."""
@@ -79,6 +142,38 @@ def energies(report):
         report.note(f"{what}: of that by the law", f"{took / (took + lost):.3f}")
         report.below(f"{what}: gained by updates/dissipated", gained / took, 1e-4)
         report.above(f"{what}: bonds that left", run.thermo("f_break")[-1], 100)
+
+
+def interface(report):
+    """A crack along the boundary of two types. Alike, they take what one type does, to the scatter of a
+    calibration over lattices; values for bonds between them are taken from 'between'."""
+    def crack(words, ratio=1.0, split=True):
+        strip = Strip("square", 0)
+        if split:
+            strip.cloud.type = 1 + (strip.cloud.X[:, 1] > 0)
+        grip = 0.5 * HEIGHT - 3 * strip.spacing
+        rock = material(YOUNG, POISSON, DENSITY)
+        scene = Scene(strip.cloud, [rock, dict(rock, young=ratio * YOUNG)][:1 + split])
+        scene.add(f"tmsph/cut all line -1 1e-7 {-0.5 * WIDTH + NOTCH} 1e-7\n"
+                  f"region low block INF INF INF {-grip} INF INF\n"
+                  f"region high block INF INF {grip} INF INF INF\n"
+                  "group low region low\ngroup high region high")
+        run = equilibria(scene, grip, 40, words).run()
+        took = run.tables[-1]["f_break[6]"][-1] + run.tables[-1]["f_break[9]"][-1]
+        load = max(abs(table["f_low[2]"][-1]) for table in run.tables)
+        return took / (ENERGY * (WIDTH - NOTCH)), load
+
+    one, load = crack(ROCK, split=False)
+    two, load_of_two = crack(ROCK)
+    given, load_given = crack(f"tensile * {1.5 * TENSILE} energy * {2 * ENERGY} "
+                              f"between 1 2 strength {TENSILE} energy {ENERGY}")
+    half, _ = crack(f"{ROCK} between 1 2 energy {0.5 * ENERGY}")
+    report.within("energy of the crack between types/in one type", two / one, 0.95, 1.05)
+    # the bar of peaks, see test_cct.py
+    report.within("largest load", load_of_two / load, 0.96, 1.04)
+    report.within("with between: energy/without", given / two, 0.95, 1.05)
+    report.within("with between: largest load/without", load_given / load_of_two, 0.96, 1.04)
+    report.within("with half of the energy between: energy/half of that", half / (0.5 * two), 0.95, 1.05)
 
 
 def spacings(report):
@@ -218,7 +313,12 @@ def limits(report):
             ("energy 60", {}, "ERROR"),
             ("energy 3 60", {}, "ERROR"),
             ("toughness * -1", {}, "toughness -1 is out of range: it must be positive"),
-            ("energy * 1", {}, "of the characteristic length of its cracks"),
+            ("energy * 1", {}, "of the characteristic length of cracks there"),
+            ("energy * 60 between 1 1 energy 20", {}, "needs two types"),
+            ("energy * 60 between 1 2 energy 20", {}, "ERROR"),
+            ("energy * 60 between 1 1", {}, "lacks what bonds between the two have"),
+            ("energy * 60 between 1 1 energy 20 toughness 1e6", {}, "an energy and a toughness"),
+            ("energy * 60 between 1 1 energy -20", {}, "energy -20 is out of range"),
             ("energy * 10", {}, "WARNING: Spacing 0.001 of type 1 is 0.5 of"),
             ("energy * 60", dict(pair="kernel cubic"), "calibrated for kernel wendland"),
             ("energy * 60", dict(poisson=0.4999), "its dilatation is averaged")):
@@ -241,4 +341,5 @@ def limits(report):
 
 
 if __name__ == "__main__":
-    main(energies, bars, cut_in_mid_opening, same_bits, torn_by_rotation, limits, more=[spacings])
+    main(energies, still, still_bits, interface, bars, cut_in_mid_opening, same_bits, torn_by_rotation,
+         limits, more=[spacings])
