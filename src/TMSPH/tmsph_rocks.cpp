@@ -103,20 +103,21 @@ void TMSPHRocks::read_between(TMSPHValues &values)
   values.types(lo, hi);
   values.types(other_lo, other_hi);
   const std::string pair = fmt::format("{} {}", start[0], start[1]);
-  const auto positive = [&values] {
-    return values.number(TMSPHRule::positive, "is out of range: it must be positive");
-  };
   Between given;
-  int words = 0;
-  for (;; words++) {
-    if (values.word_of_one_number("energy"))
-      given.energy = positive();
-    else if (values.word_of_one_number("toughness"))
-      given.toughness = positive();
-    else if (values.word_of_one_number("strength"))
-      given.tensile = positive();
-    else
-      break;
+  const std::pair<const char *, double Between::*> table[] = {{"energy", &Between::energy},
+                                                              {"toughness", &Between::toughness},
+                                                              {"strength", &Between::tensile}};
+  bool words = false;
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (const auto &[word, value] : table) {
+      if (!values.word_of_one_number(word)) continue;
+      given.*value = values.number();
+      if (!TMSPHRule::positive(given.*value))
+        values.reject(fmt::format("{} {} {}", pair, word, values.rest()[-1]),
+                      "is out of range: it must be positive");
+      words = goes_on = true;
+    }
   }
   if (!words)
     values.reject(pair,
