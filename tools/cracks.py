@@ -10,6 +10,8 @@ named or not; of a dump with several frames the last is taken. Written are, besi
   cracks.dip.csv               the same of the dips, in 3-D
   cracks.events.csv, .png      all events in their order, with cumulative number and energy
   cracks.length.csv, .png      crack length against temperature, with --curve or --log
+  cracks.clusters.csv, .png    clusters of events with their magnitudes, with --clusters
+  cracks.front.csv, .png       how far a crack has run, with --from
 
 options:
   --curve FILE        table of fix ave/time that has the crack area of compute tmsph/crack
@@ -22,6 +24,11 @@ options:
   --bins N            bins of the rose over 180 degrees (default 18)
   --radius R          distance within which events tell the direction of a crack
                       (default: 4 spacings of the particles, which follow from the events)
+  --clusters WINDOW   events that are within WINDOW, in what --against says, and within the radius of each
+                      other, directly or by others, are one emission; its magnitude is the logarithm to base
+                      10 of its energy, b by maximum likelihood
+  --complete M        magnitude from which on all emissions count for b (default: that of most of them)
+  --from X Y [Z]      the front of the crack is the farthest event from there so far
   --out PREFIX        (default cracks, in the folder of EVENTS)
 
 The direction of a crack at an event is the longest axis of the cloud of events around it, in 3-D
@@ -197,6 +204,50 @@ def crack_length(arguments):
          "temperature and crack area")
 
 
+def tell_clusters(arguments, events, x, radius):
+    import emissions    # needs scipy, which nothing else here does
+    label = emissions.clusters(events.place, x, radius, arguments.clusters)
+    count, begin, duration, centre, energy, magnitude = emissions.describe(label, events.place, x,
+                                                                           events.energy)
+    table(f"{arguments.out}.clusters.csv",
+          ("events", arguments.against, "duration", "x", "y", "z", "energy", "magnitude"),
+          (count, begin, duration, *centre.T, energy, magnitude))
+    found = emissions.b_value(magnitude, arguments.complete)
+    print(f"clusters within {radius:g} and {arguments.against} {arguments.clusters:g}: {len(count)}, "
+          f"the largest of {count.max()} events and magnitude {magnitude.max():.3g}")
+    print("b-value " + (f"{found[0]:.3g} +- {found[1]:.2g} from magnitude {found[2]:.3g} on" if found
+                        else "not known: fewer than ten clusters, or all of one magnitude"))
+    figure, (left, right) = pyplot().subplots(1, 2, figsize=(9, 4))
+    left.scatter(begin, magnitude, s=4 + 40 * (count / count.max()) ** 0.5, color=COLOURS[0], alpha=0.6)
+    left.set_xlabel(arguments.against)
+    left.set_ylabel("magnitude, log10 of the energy")
+    ascending = np.sort(magnitude[np.isfinite(magnitude)])
+    right.step(ascending, np.arange(len(ascending), 0, -1), color="black", where="pre")
+    if found:
+        above = np.count_nonzero(ascending >= found[2])
+        span = np.array([found[2], ascending[-1]])
+        right.plot(span, above * 10 ** (-found[0] * (span - found[2])), color=COLOURS[1],
+                   label=f"b = {found[0]:.2f}")
+        right.legend()
+    right.set_yscale("log")
+    right.set_xlabel("magnitude M")
+    right.set_ylabel("clusters of M or more")
+    save(figure, f"{arguments.out}.clusters.png")
+
+
+def tell_front(arguments, events, x):
+    import emissions
+    start = np.zeros(3)
+    start[:len(arguments.front)] = arguments.front
+    when, distance = emissions.front(events.place, x, start)
+    table(f"{arguments.out}.front.csv", (arguments.against, "distance"), (when, distance))
+    draw_curves(f"{arguments.out}.front.png", when, arguments.against, ((None, distance, "black"),),
+                "distance of the front")
+    speed = emissions.front_speed(when, distance)
+    print(f"front {distance[-1]:g} away, " +
+          ("at once" if speed is None else f"{speed:.4g} per {arguments.against} in the middle of its way"))
+
+
 def with_unit(what, unit):
     return f"{what}, {unit}" if unit else what
 
@@ -212,6 +263,9 @@ def main(words):
     parser.add_argument("--against", choices=("temperature", "time", "step"), default="temperature")
     parser.add_argument("--bins", type=int, default=18)
     parser.add_argument("--radius", type=float)
+    parser.add_argument("--clusters", type=float)
+    parser.add_argument("--complete", type=float)
+    parser.add_argument("--from", dest="front", type=float, nargs="+")
     parser.add_argument("--out")
     parser.add_argument("-h", "--help", action="store_true")
     arguments = parser.parse_args(words)
@@ -221,6 +275,12 @@ def main(words):
         stop("--bins must be at least 1")
     if arguments.thickness <= 0 or (arguments.radius is not None and arguments.radius <= 0):
         stop("--thickness and --radius must be above 0")
+    if arguments.clusters is not None and arguments.clusters < 0:
+        stop("--clusters must not be negative")
+    if arguments.complete is not None and arguments.clusters is None:
+        stop("--complete is for --clusters: give that too")
+    if arguments.front and len(arguments.front) not in (2, 3):
+        stop("--from needs two or three coordinates")
     if arguments.curve and arguments.log:
         stop("give --curve or --log, not both")
     arguments.out = arguments.out or str(Path(arguments.events).parent / "cracks")
@@ -257,6 +317,10 @@ def main(words):
     print(f"first at {arguments.against} {x.min():g}, last at {x.max():g}; "
           f"energy of the bonds {events.energy.sum():g}")
     print(f"directions within {radius:g}; {directionless} events have none")
+    if arguments.clusters is not None:
+        tell_clusters(arguments, events, x, radius)
+    if arguments.front:
+        tell_front(arguments, events, x)
     if curve:
         T, length, (degrees, area) = curve
         table(f"{arguments.out}.length.csv", ("temperature", "length"), (T, length))

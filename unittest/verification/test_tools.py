@@ -170,6 +170,35 @@ def line(report):
                      abs((found - angle + 90) % 180 - 90), 1.0)
 
 
+def emissions(report):
+    """Clusters of a list whose clusters, magnitudes and b are known, and a front of known speed."""
+    random = np.random.default_rng(5)
+    number, b, least = 4000, 1.2, -6.0
+    centre = np.stack([np.arange(number) * 1.0, np.zeros(number)], 1)    # a metre and a second apart
+    magnitude = least + random.exponential(np.log10(np.e) / b, number)
+    rows, parts = [], 3
+    for n in range(number):
+        for k in range(parts):    # of one cluster, linked from one to the next
+            rows.append(f"{len(rows) + 1} {2 * len(rows) + 1} {2 * len(rows) + 2} {n} {n + 0.1 * k:.17g} "
+                        f"{centre[n, 0] + 0.1 * k:.17g} 0 0 1 0 0 1 {10 ** magnitude[n] / parts:.17g} {n}")
+    (folder() / "emissions.txt").write_text(events_file(rows))
+    said = tool("cracks.py", "emissions.txt", "--against", "time", "--clusters", 0.15, "--radius", 0.15,
+                "--from", 0, 0, "--out", "emissions")
+    found = table("emissions.clusters.csv")
+    report.within("clusters", len(found["events"]) / number, 1, 1)
+    report.true("events in each", np.all(found["events"] == parts), str(parts))
+    report.below("magnitude: largest error", abs(found["magnitude"] - magnitude).max(), 1e-8)
+    report.below("duration: largest error", abs(found["duration"] - 0.2).max(), 1e-8)
+    value, error, complete = (float(word) for word in
+                              re.search(r"b-value (\S+) \+- (\S+) from magnitude (\S+) on", said).groups())
+    # the bin with most clusters, of 0.1, hides as much of the list
+    report.below("b: error in standard errors", abs(value - b) / error, 3)
+    report.within("b: standard error over b/sqrt(N)", error / (b / np.sqrt(number)), 0.9, 1.2)
+    report.within("complete from", complete, least - 0.1, least + 0.1)
+    speed = float(re.search(r"front \S+ away, (\S+) per time", said).group(1))
+    report.within("speed of the front", speed, 0.999, 1.001)
+
+
 def plane(report):
     """3-D: a round cut that strikes at 40 degrees and dips by 35."""
     strike, dip = np.radians(40), np.radians(35)
@@ -322,6 +351,9 @@ def wrong_files(report):
                         (("events.txt", "--curve", "broken_bonds.txt", "--columns", "T", "A"),
                          "--columns"),
                         (("events.txt", "--thickness", "0"), "--thickness"),
+                        (("events.txt", "--clusters", "-1"), "--clusters"),
+                        (("events.txt", "--complete", "2"), "--clusters"),
+                        (("events.txt", "--from", "1"), "--from"),
                         (("events.txt", "--bins", "0"), "--bins")):
         said = tool("cracks.py", *words, fails=True)
         report.true(f"cracks.py {' '.join(words)}", text in said and said.count("\n") == 1,
@@ -338,4 +370,4 @@ def wrong_files(report):
 
 
 if __name__ == "__main__":
-    main(counts, other_readers, directions, line, plane, wrong_files)
+    main(counts, other_readers, directions, line, plane, emissions, wrong_files)
