@@ -388,10 +388,10 @@ void FixTMSPHBond::remove_bond(int i, int k, State why)
 
 /* ---------------------------------------------------------------------- */
 
-void FixTMSPHBond::update_damage(int i)
+void FixTMSPHBond::update_damage(int i, double opened)
 {
   const int broken = count_in(i, 1u << BROKEN), formed = count_in(i, FORMED);
-  atom->damage[i] = formed ? (double) broken / formed : 0.0;
+  atom->damage[i] = formed ? (broken + opened) / formed : 0.0;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -84,7 +84,8 @@ class FixTMSPHBond :
   /// velocity that the viscosity of a setup takes for local particle i, see lag below
   const double *setup_velocity(int i) const;
   /// sets atom->damage of local particle i from its broken bonds
-  void update_damage(int i);
+  /// @param opened of its open bonds the parts of full opening, together
+  void update_damage(int i, double opened = 0.0);
   /// number of bonds (each counted once) in a state, on all processors
   bigint count_bonds(State which) const;
   /// fewest and most bonds of a particle, on all processors

@@ -238,7 +238,10 @@ void FixTMSPHBreak::break_bonds(const double *stress, std::vector<int> &touched)
   opening.complete();
   for (const Due &bond : due_bonds) {
     if (bond.opens) continue;
-    remove(bond.i, bond.k, bond.stress, bond.principals.largest > 0.0, touched);
+    const bool recorded = atom->tag[bond.i] < bonds->partner_tag(bond.i, bond.k);
+    remove(bond.i, bond.k,
+           recorded ? events.strain_energy(*pair, *bonds, bond.i, bond.k, bond.stress) : 0.0,
+           bond.principals.largest > 0.0, touched);
     if (list) debris.add(bond.i, bonds->partner_index(bond.i, bond.k), *bonds);
   }
   if (openings()) openings()->list_open();
@@ -249,10 +252,9 @@ void FixTMSPHBreak::break_bonds(const double *stress, std::vector<int> &touched)
 
 void FixTMSPHBreak::remove_opened(std::vector<int> &touched)
 {
-  static constexpr double FREE[6] = {};
-  for (const auto &[i, k] : openings()->leaving()) {
+  for (const auto &[i, k, energy] : openings()->leaving()) {
     pair->contact_of_surfaces()->opened(i, k);
-    remove(i, k, FREE, true, touched);
+    remove(i, k, energy, true, touched);
   }
   openings()->list_open();
   list_events();
@@ -262,11 +264,10 @@ void FixTMSPHBreak::remove_opened(std::vector<int> &touched)
    from one of its ends; an event is recorded where the lower id lives
 ------------------------------------------------------------------------- */
 
-void FixTMSPHBreak::remove(int i, int k, const double *stress, bool pulled,
-                           std::vector<int> &touched)
+void FixTMSPHBreak::remove(int i, int k, double energy, bool pulled, std::vector<int> &touched)
 {
   if (atom->tag[i] < bonds->partner_tag(i, k))
-    events.record(*pair, *bonds, i, k, stress,
+    events.record(*bonds, i, k, energy,
                   pulled ? TMSPHBreakEvents::TENSION : TMSPHBreakEvents::SHEAR);
   bonds->remove_bond(i, k, FixTMSPHBond::BROKEN);
   if (touched.empty() || touched.back() != i) touched.push_back(i);

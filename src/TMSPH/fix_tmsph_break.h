@@ -101,7 +101,7 @@ class FixTMSPHBreak :
   void keep_most_loaded();
   void warn_of_hot_start();
   std::vector<std::string> described(int type, int other);
-  void remove(int i, int k, const double *stress, bool pulled, std::vector<int> &touched);
+  void remove(int i, int k, double energy, bool pulled, std::vector<int> &touched);
   void list_events();
   double largest_load();
 };

@@ -79,7 +79,7 @@ void FixTMSPHHeat::init()
   if (!pair) error->all(FLERR, "Fix tmsph/heat needs pair style tmsph");
   if (modify->get_fix_by_style("^tmsph/heat$").size() > 1)
     error->all(FLERR, "More than one fix tmsph/heat: give all types in a single one");
-  network.init(pair->bonds(), pair);
+  network.init(pair->bonds(), pair, pair);
   contacts.init(pair);
   std::vector<TMSPHHeatBoundary *> boundaries;
   for (Fix *fix : modify->get_fix_list())

@@ -18,23 +18,22 @@
 using namespace LAMMPS_NS;
 
 /* ----------------------------------------------------------------------
-   small-strain part of the strain energy that bond k of local particle i carries at a stress:
    under uniform stress in the interior f_ij = 2 W_ij/kappa sigma X_ij, and half of f u' is
    the energy; summed over all bonds this is the strain energy of the body
 ------------------------------------------------------------------------- */
 
-static double bond_energy(const TMSPHMaterials &materials, const FixTMSPHBond &bonds,
-                          const Atom &atom, int D, int i, int k, const double *stress)
+double TMSPHBreakEvents::strain_energy(const TMSPHMaterials &materials, const FixTMSPHBond &bonds,
+                                       int i, int k, const double *stress) const
 {
-  const int j = bonds.partner_index(i, k);
+  const int D = domain->dimension, j = bonds.partner_index(i, k);
   double X[3], work = 0.0;
   bonds.reference_vector(i, j, X);
   const int row[3][3] = {{0, D, D + 1}, {D, 1, D + 2}, {D + 1, D + 2, 2}};
   const double young = materials.elastic(i).young + materials.elastic(j).young;
   const double theta = (materials.thermal_push(i) + materials.thermal_push(j)) / young;
   for (int a = 0; a < D; a++) {
-    const double u = (atom.x[j][a] - bonds.reference(j)[a]) -
-        (atom.x[i][a] - bonds.reference(i)[a]) - theta * X[a];
+    const double u = (atom->x[j][a] - bonds.reference(j)[a]) -
+        (atom->x[i][a] - bonds.reference(i)[a]) - theta * X[a];
     for (int b = 0; b < D; b++) work += u * stress[row[a][b]] * X[b];
   }
   return bonds.weight(i, j) * work / bonds.interior_kappa();
@@ -42,8 +41,7 @@ static double bond_energy(const TMSPHMaterials &materials, const FixTMSPHBond &b
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHBreakEvents::record(const TMSPHMaterials &materials, const FixTMSPHBond &bonds, int i,
-                              int k, const double *stress, Mode mode)
+void TMSPHBreakEvents::record(const FixTMSPHBond &bonds, int i, int k, double energy, Mode mode)
 {
   const int j = bonds.partner_index(i, k);
   broken[mode]++;
@@ -61,7 +59,7 @@ void TMSPHBreakEvents::record(const TMSPHMaterials &materials, const FixTMSPHBon
   for (int a = 0; a < 3; a++) *c++ = 0.5 * (atom->x[i][a] + atom->x[j][a]);
   for (int a = 0; a < 3; a++) *c++ = X[a] / R;
   *c++ = mode + 1;
-  *c++ = bond_energy(materials, bonds, *atom, domain->dimension, i, k, stress);
+  *c++ = energy;
   *c++ = 0.5 * (atom->temperature[i] + atom->temperature[j]);
   events.push_back(event);
 }

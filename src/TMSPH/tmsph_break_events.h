@@ -24,9 +24,12 @@ class TMSPHBreakEvents : protected Pointers {
 
   explicit TMSPHBreakEvents(class LAMMPS *lmp) : Pointers(lmp) {}
   void begin_step() { broken_now = 0; }
-  /// bond k of local particle i breaks; to be recorded at one of its ends
-  void record(const TMSPHMaterials &, const FixTMSPHBond &, int i, int k, const double *stress,
-              Mode);
+  /** Strain energy that bond k of local particle i carries at a stress, for small strains. */
+  double strain_energy(const TMSPHMaterials &, const FixTMSPHBond &, int i, int k,
+                       const double *stress) const;
+  /** Bond k of local particle i breaks; to be recorded at one of its ends.
+      @param energy that it takes */
+  void record(const FixTMSPHBond &, int i, int k, double energy, Mode);
   /// of this processor, as LAMMPS takes it
   double **table();
   int rows() const { return events.size(); }

@@ -10,6 +10,8 @@
 #include "tmsph_conduction.h"
 #include "tmsph_heat_materials.h"
 #include "tmsph_heat_sweep.h"
+#include "tmsph_openings.h"
+#include "tmsph_participants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +33,11 @@ TMSPHHeatNetwork::TMSPHHeatNetwork(LAMMPS *lmp, const TMSPHHeatMaterials &given,
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHHeatNetwork::init(const FixTMSPHBond *owner, const TMSPHBondUser *user)
+void TMSPHHeatNetwork::init(const FixTMSPHBond *owner, const TMSPHBondUser *user,
+                            const TMSPHParticipants *participants)
 {
   bonds = owner;
+  others = participants;
   watch.forget();
   norms_of_bonds.init(owner, user);
   flat_faces.init(owner, user);
@@ -124,6 +128,7 @@ template <int D> void TMSPHHeatNetwork::find_conductances(const std::vector<int>
   const Slices &slices = bonds->layout();
   const int ntypes = atom->ntypes;
   const bool tables = materials.has_tables();
+  const TMSPHOpenings *const openings = others->openings();
   std::vector<double> k(ntypes + 1), most(ntypes + 1);
   std::vector<DirectionalConductivity<D>> directional(ntypes + 1);
   for (int type = 1; type <= ntypes; type++) {
@@ -157,6 +162,7 @@ template <int D> void TMSPHHeatNetwork::find_conductances(const std::vector<int>
         bonds->reference_vector(i, j, X);
         base *= correction(i, j, X);
       }
+      if (openings) base *= std::max(0.0, 1.0 - openings->part_open(i, n));
       const bool across = itype != jtype && !tables;
       const double both = across
           ? in_series(ki, norms_of_bonds.depth(i), kj, norms_of_bonds.depth(j))
@@ -192,8 +198,11 @@ void TMSPHHeatNetwork::follow()
     sum_of.resize(atom->nlocal);
     particles.resize(atom->nlocal);
     std::iota(particles.begin(), particles.end(), 0);
-  } else if (watch.removed(*bonds)) {
+  } else {
     watch.each_removal(*bonds, [&particles](int i) { particles.push_back(i); });
+    if (const TMSPHOpenings *const openings = others->openings())
+      for (int i = 0; i < atom->nlocal; i++)
+        if (openings->opens_at(i)) particles.push_back(i);
     std::sort(particles.begin(), particles.end());
     particles.erase(std::unique(particles.begin(), particles.end()), particles.end());
   }

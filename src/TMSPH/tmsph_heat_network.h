@@ -30,12 +30,12 @@ class TMSPHHeatNetwork : protected Pointers {
   TMSPHHeatNetwork(class LAMMPS *, const TMSPHHeatMaterials &, TMSPHGhostSender &);
   /// @param id of the fix whose it is
   void keep(const std::string &id) { norms_of_bonds.keep(id); }
-  void init(const FixTMSPHBond *, const TMSPHBondUser *);
+  void init(const FixTMSPHBond *, const TMSPHBondUser *, const class TMSPHParticipants *);
 
   /// at a setup: finds what stays as it was when the bonds formed, unless it is known (collective)
   void form();
   /// after an exchange of particles all conductances are found anew; bonds that have gone since no
-  /// longer conduct (collective)
+  /// longer conduct, those that open the less the farther they do (collective)
   void follow();
   /// power that the bonds bring to local particles, at the temperatures of these and of ghosts
   void conduct(const double *temperature, double *power);
@@ -59,6 +59,7 @@ class TMSPHHeatNetwork : protected Pointers {
  private:
   const TMSPHHeatMaterials &materials;
   const FixTMSPHBond *bonds = nullptr;
+  const TMSPHParticipants *others = nullptr;
   TMSPHBondWatch watch;
   TMSPHGhostSender &ghosts;
   TMSPHConductionNorms norms_of_bonds;

@@ -62,7 +62,9 @@ void TMSPHOpeningRule::init(PairTMSPH &style, TMSPHGhostSender &ghosts)
     opening = std::make_unique<TMSPHOpenings>(lmp, *bonds, ghosts);
     if (comm->me == 0) opening->balance().resume(before);
   }
-  if (opening) opening->settle();
+  if (!opening) return;
+  opening->set_law(rocks.softening());
+  opening->settle();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -106,19 +108,28 @@ void TMSPHOpeningRule::check(const std::string &style) const
 void TMSPHOpeningRule::check_length(int type, int other) const
 {
   const double spacing = std::max(pair->spacing_of(type), pair->spacing_of(other));
+  // the limits are those of the linear law: others fall more steeply in the beginning
+  const double steeper = std::visit(
+      [](auto law) {
+        return decltype(law)::STEEPEST * decltype(law)::area(1.0) /
+            (TMSPH::LinearCohesion::STEEPEST * TMSPH::LinearCohesion::area(1.0));
+      },
+      rocks.softening());
+  const double too_coarse = TOO_COARSE / steeper, coarse = COARSE / steeper;
   const double length = rocks.characteristic_length(type, other), ratio = spacing / length;
   const std::string where = type == other ? fmt::format("type {}", type)
                                           : fmt::format("types {} and {}", type, other);
-  if (ratio > TOO_COARSE)
+  if (ratio > too_coarse)
     error->all(FLERR,
                "Spacing {:.4g} of {} is {:.3g} of the characteristic length of cracks there, "
-               "{:.4g}, of which it may be {} at most: use a spacing of {:.3g} or less, or do "
+               "{:.4g}, of which it may be {:.2g} at most: use a spacing of {:.3g} or less, or do "
                "without energy and toughness",
-               spacing, where, ratio, length, TOO_COARSE, COARSE * length);
-  if (ratio > COARSE)
-    pair->warn_once(fmt::format("Spacing {:.4g} of {} is {:.3g} of the characteristic length of "
-                                "cracks there, {:.4g}: at {} or less they take the given energy",
-                                spacing, where, ratio, length, COARSE));
+               spacing, where, ratio, length, too_coarse, coarse * length);
+  if (ratio > coarse)
+    pair->warn_once(
+        fmt::format("Spacing {:.4g} of {} is {:.3g} of the characteristic length of "
+                    "cracks there, {:.4g}: at {:.2g} or less they take the given energy",
+                    spacing, where, ratio, length, coarse));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -206,7 +217,8 @@ void TMSPHOpeningRule::begin(int i, int k, const double *stress)
 {
   const int j = bonds->partner_index(i, k);
   const double strength = rocks.tensile_strength_of(i, j);
-  const double energy = rocks.crack_energy(atom->type[i], atom->type[j]) / CALIBRATION;
+  const double energy =
+      rocks.energy_factor(i, j) * rocks.crack_energy(atom->type[i], atom->type[j]) / CALIBRATION;
   if (domain->dimension == 2)
     opening->begin<2>(i, k, j, stress, strength, energy);
   else

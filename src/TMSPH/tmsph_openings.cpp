@@ -112,6 +112,13 @@ template <int D> void TMSPHOpenings::gather(const TMSPHBondState &s, int i, Open
   fit.thermal = s.on.thermal == ThermalStrain::CONSTITUTIVE ? fit.heating : 0.0;
 }
 
+/* ---------------------------------------------------------------------- */
+
+static double opened_part(const OpenBond &b)
+{
+  return std::min(1.0, b.opening.most / b.opening.end);
+}
+
 /* ----------------------------------------------------------------------
    the Cauchy stress of a fit, as the gradient sweep finds it
 ------------------------------------------------------------------------- */
@@ -222,9 +229,14 @@ template <int D> void TMSPHOpenings::finish(const TMSPHBondState &s)
     store<D>(fit.rotation, rows[i] + O::R);
     store<D>(fit.seen, s.gradient + (size_t) i * D * D);    // faces are carried along by it
     energy[n] = {i, fit.energy};
-    for (int m = 0; m < values.count(i); m++)
-      energy[n].energy += 0.5 * bond(i, m).area *
-          std::visit([&](auto one) { return stored_energy(one, bond(i, m).opening); }, law);
+    double opened = 0.0;
+    for (int m = 0; m < values.count(i); m++) {
+      const OpenBond &b = bond(i, m);
+      energy[n].energy +=
+          0.5 * b.area * std::visit([&](auto one) { return stored_energy(one, b.opening); }, law);
+      opened += opened_part(b);
+    }
+    bonds.update_damage(i, opened);
   }
   ghosts.send(rows, O::R, D * D);
 }
@@ -296,7 +308,7 @@ TMSPHOpeningBalance::Figures TMSPHOpenings::figures() const
             sum[B::STORED] += 0.5 * b.area * stored_energy(one, b.opening);
           },
           law);
-      sum[B::AREA] += 0.5 * b.area * std::min(1.0, b.opening.most / b.opening.end);
+      sum[B::AREA] += 0.5 * b.area * opened_part(b);
       sum[B::OPENING] += 0.5;
     }
   return sum;

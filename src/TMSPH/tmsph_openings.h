@@ -45,12 +45,19 @@ class TMSPHOpenings : protected Pointers {
   /// of what bonds carry
   static constexpr const char *NAME = "opening";
   TMSPHOpenings(class LAMMPS *, FixTMSPHBond &, TMSPHGhostSender &);
+  void set_law(const TMSPH::CohesiveLaw &softening) { law = softening; }
 
   /// true if a bond of this processor's particles opens; of any processor's, as of the last look()
   bool here() const { return !open.empty(); }
   bool anywhere() const { return any; }
   bool opens_at(int i) const { return values.count(i); }
   bool opens_bond(int i, int k) const { return values.find(i, k); }
+  /// how far it is open, of full opening: 0 closed, 1 or more without traction
+  double part_open(int i, int k) const
+  {
+    const int m = values.count(i) ? values.number(i, k) : -1;
+    return m < 0 ? 0.0 : bond(i, m).opening.now / bond(i, m).opening.end;
+  }
   void look(bool anywhere) { any = anywhere; }
   /// particles may have changed places (collective)
   void follow();
@@ -94,8 +101,14 @@ class TMSPHOpenings : protected Pointers {
   template <int D> void relax(TMSPHBondState);
   /// no search goes back beyond the openings of now
   void settle();
-  /// particles and places of bonds that leave the fit now, seen from each end; booked as finished
-  std::vector<std::pair<int, int>> leaving();
+  /** A bond that leaves the fit, seen from one of its ends: particle and place; energy of its part
+      of the crack. */
+  struct Leaving {
+    int i, k;
+    double energy;
+  };
+  /// those of now, booked as finished
+  std::vector<Leaving> leaving();
 
   /// doubles per particle that it sends at most
   int most_sent() const;

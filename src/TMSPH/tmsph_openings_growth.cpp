@@ -371,17 +371,17 @@ void TMSPHOpenings::decide_leaving(int i, int j, OpenBond &b)
 
 /* ---------------------------------------------------------------------- */
 
-std::vector<std::pair<int, int>> TMSPHOpenings::leaving()
+std::vector<TMSPHOpenings::Leaving> TMSPHOpenings::leaving()
 {
-  std::vector<std::pair<int, int>> all;
+  std::vector<Leaving> all;
   for (const int i : open)
     for (int m = values.count(i) - 1; m >= 0; m--)
       if (bond(i, m).leaves != 0.0) {
         const OpenBond &b = bond(i, m);
-        all.emplace_back(i, values.place(i, m));
         const double taken =
-            std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
-        account.finish(0.5 * b.area * taken, 0.5 * b.area);
+            b.area * std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
+        all.push_back({i, values.place(i, m), taken});
+        account.finish(0.5 * taken, 0.5 * b.area);
       }
   return all;
 }

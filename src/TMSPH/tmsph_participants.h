@@ -17,6 +17,8 @@ class TMSPHParticipants {
  public:
   void set_break_test(TMSPHBreakTest *test) { break_test = test; }
   bool bonds_may_break() const { return break_test != nullptr; }
+  /// nullptr where all bonds break at once
+  class TMSPHOpenings *openings() const { return break_test ? break_test->openings() : nullptr; }
   void set_contact(TMSPHSurfaceContact *given) { contact = given; }
   /// nullptr without one
   TMSPHSurfaceContact *contact_of_surfaces() const { return contact; }
@@ -29,9 +31,6 @@ class TMSPHParticipants {
  protected:
   TMSPHBreakTest *break_test = nullptr;
   TMSPHSurfaceContact *contact = nullptr;
-
-  /// nullptr where all bonds break at once
-  class TMSPHOpenings *openings() const { return break_test ? break_test->openings() : nullptr; }
 
   /// before the fixes are initialized
   void forget_participants()

@@ -58,6 +58,12 @@ void TMSPHRocks::read(const std::string &style, char **next, char **last)
   words.push_back({"between", "I J [energy/toughness/strength value ...]",
                    [this](TMSPHValues &v) { read_between(v); }});
   words.push_back({"weibull", "I modulus seed", [this](TMSPHValues &v) { read_weibull(v); }});
+  words.push_back({"scatter", "strength/both", [this](TMSPHValues &v) {
+                     energies_scatter = v.one_of<bool>({{"strength", false}, {"both", true}});
+                   }});
+  words.push_back({"softening", "linear/bilinear", [this](TMSPHValues &v) {
+                     cohesion = v.one_of(TMSPH::alternatives<TMSPH::CohesiveLaw>());
+                   }});
   words.push_back({"principal", "inplane/all", [this](TMSPHValues &v) {
                      all_principals = v.one_of<bool>({{"inplane", false}, {"all", true}});
                    }});
@@ -256,6 +262,15 @@ double TMSPHRocks::characteristic_length(int type, int other) const
   const double tensile = tensile_strength(type, other);
   const double young = 0.5 * (materials->material(type).young + materials->material(other).young);
   return young * crack_energy(type, other) / (tensile * tensile);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHRocks::energy_factor(int i, int j) const
+{
+  if (!energies_scatter) return 1.0;
+  const auto drawn = [this](int p) { return strengths[p] / rocks[atom->type[p]].strength; };
+  return 0.5 * (drawn(i) + drawn(j));
 }
 
 /* ----------------------------------------------------------------------

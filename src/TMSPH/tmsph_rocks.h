@@ -11,6 +11,7 @@
 
 #include "atom.h"
 #include "pointers.h"
+#include "tmsph_cohesion.h"
 #include "tmsph_criterion.h"
 #include "tmsph_ghost_rows.h"
 
@@ -66,6 +67,7 @@ class TMSPHRocks : protected Pointers {
   double crack_energy(int type, int other) const;
   double crack_modulus(int type, int other) const;
   double characteristic_length(int type, int other) const;
+  const TMSPH::CohesiveLaw &softening() const { return cohesion; }
 
   /** Draws strengths for the ids of the present particles, once in a layout of the bonds
       (collective). All below needs them.
@@ -81,6 +83,8 @@ class TMSPHRocks : protected Pointers {
     return type == other ? mean : strength_factor(type, other) * mean;
   }
   double tensile_strength_of(int i) const { return strengths[i] * rocks[atom->type[i]].tensile; }
+  /// of their bond, where the energies of cracks scatter as the strengths, over that of the types
+  double energy_factor(int i, int j) const;
   double tensile_strength_of(int i, int j) const
   {
     const int type = atom->type[i], other = atom->type[j];
@@ -114,6 +118,8 @@ class TMSPHRocks : protected Pointers {
     double energy = 0.0, toughness = 0.0, tensile = 0.0;
   };
   std::unique_ptr<TMSPH::Criterion> law;
+  TMSPH::CohesiveLaw cohesion;
+  bool energies_scatter = false;
   std::vector<Rock> rocks;                           // by type
   std::map<std::pair<int, int>, Between> between;    // the lower type first
   bool all_principals = false, one_rock = true;

@@ -224,7 +224,7 @@ CASES = [
     (PLATE, {"break": "fix mc all tmsph/mohrcoulomb cohesion * 25e6 friction * 50"},
      "lacks the tensile of type 1|add 'tensile 1"),
     (PLATE, {"break": "fix r all tmsph/rankine strength * 9e6"},
-     "'strength'|use tensile, energy, toughness, weibull or principal"),
+     "'strength'|use tensile, energy, toughness, between, weibull, scatter, softening or principal"),
     (PLATE, {"break": "group some id 1 2\nfix hb some tmsph/hoekbrown strength * 1e6 mi * 8"},
      "all particles|group all"),
     (PLATE, {"break": "fix hb all tmsph/hoekbrown"},

@@ -37,7 +37,7 @@ IN_THE_HOWTO = ["atom_style tmsph", "fix tmsph/bond"]
 PAIR, ROCK = "pair_style tmsph 3e-3", "pair_coeff 1 1 elastic 1e9 0.2"
 CONTACT, HEAT = "fix 1 all tmsph/contact", "fix 1 all tmsph/heat"
 BOUNDARY, WALL = "fix 1 all tmsph/heat/boundary", "fix 1 all tmsph/wall"
-BREAKS = "fix 1 all tmsph/{0} ?", "fix 1 all tmsph/{0} principal ?"
+BREAKS = [f"fix 1 all tmsph/{{0}} {word}?" for word in ("", "principal ", "scatter ", "softening ")]
 WORDS = {
     "pair_tmsph": {2: [f"{PAIR} ?", *(f"{PAIR} {word} ?" for word in (
         "kernel", "plane", "law", "thermal", "dilatation")),
