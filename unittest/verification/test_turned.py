@@ -241,6 +241,14 @@ def breaking(kind, turn, words="gsi 2 80"):
     return scene.moving().finish("run 150")
 
 
+def opening(kind, turn):
+    """Bonds that open, at a lower stress between the materials, and some that are gone."""
+    scene = Turned(kind, potato(turn.d, 0.0), turn, speed=3.0, heated=False)
+    scene.breaking("strength 1 130e6 strength 2 100e6 mi * 8 energy * 15 between 1 2 energy 8 strength 8e6")
+    scene.add(f"fix move all nve\n{STEP}\nrun 0")
+    return scene.moving().finish("run 100")
+
+
 def rubble(kind, turn):
     """Most bonds break, and what they held is thrown towards one point: grains left to themselves
     fly apart, for without bonds they touch along the line between them, a spacing apart, where
@@ -455,7 +463,7 @@ def together(kind, turn):
 
 
 SCENES = {
-    elastic: KINDS, strained: BOTH, incompressible: BOTH, rows: BOTH, breaking: KINDS,
+    elastic: KINDS, strained: BOTH, incompressible: BOTH, rows: BOTH, breaking: KINDS, opening: KINDS,
     rubble: BOTH, all_principals: ("strain",), heat: BOTH, heat_rows: BOTH, contact: KINDS,
     segments: ("strain",), segment_rows: ("strain",), blocks: BOTH, segment_blocks: ("stress",),
     collision: BOTH, cuts: ("stress", "3-D"), wall: BOTH, equilibrium: BOTH,
