@@ -7,7 +7,7 @@ With "all": in all ways at all places."""
 
 import numpy as np
 
-from tmsph_testing import Scene, Script, lattice, main, material, thorough
+from tmsph_testing import HORIZON, Scene, Script, lattice, main, material, thorough
 
 BAR = 1e-9
 GRAIN = 2.0**-40    # positions are multiples of it: reference distances are exact at any place
@@ -55,6 +55,7 @@ class Feature:
     rocks = [material(40e9, 0.3, 2700, 1.5e-5), material(20e9, 0.2, 2500, 1e-5)]
     dimensions = (2, 3)
     bonded = True
+    horizon = HORIZON
     told = "pe"
     forces = True
 
@@ -78,6 +79,17 @@ class Breaking(Feature):
     def fixes(self, body):
         return ("fix move all nve\n"
                 "fix rock all tmsph/hoekbrown strength * 90e6 mi * 10 weibull * 10 4711")
+
+
+class Opening(Feature):
+    """two rocks, bonds that open"""
+    told = "f_rock f_rock[6] f_rock[10] f_rock[11]"
+    horizon = 2.7    # of spacings that are shorter when particles are moved: 3 of these
+
+    def fixes(self, body):
+        return ("fix move all nve\n"
+                "fix rock all tmsph/hoekbrown strength * 90e6 mi * 10 weibull * 10 4711 energy * 15 "
+                "between 1 2 energy 8")
 
 
 class Averaged(Feature):
@@ -195,7 +207,7 @@ class Quasistatic(Minimum):
         return f"thermo 1\ntmsph/quasistatic {part} residual 1e-11 evaluations 3000"
 
 
-FEATURES = (Breaking, Averaged, Contact, Segments, Walls, Heat, Minimum)
+FEATURES = (Breaking, Opening, Averaged, Contact, Segments, Walls, Heat, Minimum)
 
 
 def again(feature, body, script):
@@ -211,7 +223,7 @@ def again(feature, body, script):
 
 
 def start(feature, body, first="", images=""):
-    scene = Scene(body.cloud, feature.rocks, "viscosity 0.5 1")
+    scene = Scene(body.cloud, feature.rocks, "viscosity 0.5 1", horizon=feature.horizon)
     scene.lines.insert(scene.lines.index("read_data cloud.data"), f"{GHOSTS}\n{first}")
     scene.set("temperature", body.temperature)
     scene.set("vx vy vz"[: 3 * body.dimension - 1], body.velocity)
