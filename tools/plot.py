@@ -9,7 +9,7 @@ Written are, in the folder:
   plot.FIELD.png               a map of each field in the last frame of dump.*, beside walls; with
                                several dumps plot.DUMP.FIELD.png
   plot.TABLE.png               curves of TABLE.txt, a table of fix ave/time or a profile of
-                               fix ave/chunk
+                               fix ave/chunk; beside exact ones, if TABLE.exact.txt has any
   plot.energy.png              energies of log.lammps, columns whose names end with _J
   plot.rose.png, plot.events.png   directions and cumulative number of the events in events.txt
   plot.movie.mp4               with --movie, where ffmpeg is installed
@@ -51,6 +51,7 @@ from lammps_files import stop
 from plotting import bodies, curves, maps
 
 BINS = 18              # of the rose over 180 degrees
+EXACT = ".exact"       # behind the name of a table
 
 
 def files(folder, pattern):
@@ -196,8 +197,11 @@ def draw_events(path, out, degrees):
 def draw_tables(folder, out, known):
     title = folder.resolve().name
     for name, (columns, remark) in known.items():
+        if name.endswith(EXACT) and name.removesuffix(EXACT) in known:
+            continue
+        exact, _ = known.get(name + EXACT, ({}, ""))
         curves.draw_curves(f"{out}.{name}.png", columns,
-                           f"{title}, {name}.txt" + (f"\n{remark}" if remark else ""))
+                           f"{title}, {name}.txt" + (f"\n{remark}" if remark else ""), exact)
     for path in files(folder, "profile*.txt"):
         names, found = lammps_files.profiles(path)
         curves.draw_profiles(f"{out}.{path.stem}.png", names, found, f"{title}, {path.name}")

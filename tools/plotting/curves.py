@@ -8,6 +8,7 @@ from . import bodies as model
 from .save import save
 
 MOST = 6               # profiles in a picture
+EXACT = dict(color="black", ls="--", lw=1)
 KIND = {"J": "energy", "J_per_m": "energy", "N": "force", "N_per_m": "force", "MPa": "stress",
         "Pa": "stress", "m_per_s": "speed", "C": "temperature", "K": "temperature"}
 
@@ -32,10 +33,13 @@ def panels(columns):
     return groups
 
 
-def draw_curves(path, columns, title):
-    """The first column, or the second if the first is the step, against all others."""
+def draw_curves(path, columns, title, exact=()):
+    """The first column, or the second if the first is the step, against all others, beside those of
+    the same names in another table."""
     names = [name for name in columns if name.lower() != "step"]
-    x, what, unit = axis(names[0], columns[names[0]])
+    what, unit = quantity(names[0])
+    x_factor, unit = model.scaled(unit, np.abs(columns[names[0]]).max())
+    x, what = columns[names[0]] * x_factor, text(what)
     groups = panels({name: columns[name] for name in names[1:]})
     if not groups or len(x) < 2:
         return
@@ -49,15 +53,16 @@ def draw_curves(path, columns, title):
         factor, shown = model.scaled(kind, max(np.abs(columns[name]).max() for name in members))
         for k, name in enumerate(members):    # the first is wide, as others may lie on it
             label = text(quantity(name)[0])
-            style = (dict(color="black", ls="--", lw=1) if "exact" in label
-                     else dict(lw=max(1.2, 2.6 - k)))
+            style = EXACT if "exact" in label else dict(lw=max(1.2, 2.6 - k))
             ax.plot(x, columns[name] * factor, label=label, **style)
+            if name in exact and names[0] in exact:
+                ax.plot(exact[names[0]] * x_factor, exact[name] * factor, label=f"{label}, exact", **EXACT)
         whole = all(np.all(columns[name] == np.rint(columns[name])) for name in members)
         single = text(quantity(members[0])[0])
         ax.set_ylabel(", ".join(filter(None, ["number" if whole and len(members) > 1 else
                                               single if len(members) == 1 else KIND.get(kind, ""),
                                               shown])) or "value")
-        if len(members) > 1:
+        if len(ax.lines) > 1:
             ax.legend(fontsize="small")
         ax.set_xlabel(f"{what}, {unit}" if unit else what)
         ax.locator_params(nbins=6)

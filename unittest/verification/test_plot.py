@@ -187,6 +187,19 @@ def without_names(report):
                 "dump_modify colname" in said and "c_field[1]" in said, said)
 
 
+def beside_exact(report):
+    """A table NAME.exact.txt has no picture of its own but a curve in that of NAME.txt."""
+    place = folder() / "exact"
+    place.mkdir()
+    (place / "load.txt").write_text("step way_m load_N\n0 0 0\n5 1 2\n9 2 4\n")
+    plot(place)
+    alone = plt.imread(place / "plot.load.png")
+    (place / "load.exact.txt").write_text("way_m load_N\n0 0\n1 3\n2 3\n")
+    report.true("pictures", plot(place).split() == [str(place / "plot.load.png")], "one")
+    both = plt.imread(place / "plot.load.png")
+    report.true("with the exact curve", both.shape != alone.shape or (both != alone).any(), "another one")
+
+
 def wrong(report):
     example()
     (folder() / "empty").mkdir()
@@ -204,4 +217,4 @@ def wrong(report):
 
 
 if __name__ == "__main__":
-    main(pictures, walls_for_paraview, pixels, units, without_names, unfinished, wrong)
+    main(pictures, walls_for_paraview, pixels, units, without_names, unfinished, beside_exact, wrong)
