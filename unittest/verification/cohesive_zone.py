@@ -43,7 +43,7 @@ def graded(start, fine, h, ends, growth=1.15):
 
     def outwards(first, end):
         length, steps = abs(end - first), []
-        while sum(steps) < length * (1 - 1e-9):
+        while sum(steps) < length - 1e-9 * h:
             steps.append(h * growth ** (len(steps) + 1))
         steps = np.array(steps) * (length / sum(steps) if steps else 1)
         return first + np.sign(end - first) * np.cumsum(steps)
@@ -101,8 +101,7 @@ class Ligament:
         """Equilibria from the first opening on, until so many nodes have begun to open or the load has
         fallen to this part of its peak.
         @param notch  which nodes are free
-        @return displacement U, load, largest opening and number of nodes that have begun to open, of
-                each"""
+        @return displacement U, load and openings of all nodes, of each"""
         corners = np.array(law) * [energy / strength, strength]
         slopes = np.append(np.diff(corners[:, 1]) / np.diff(corners[:, 0]), 0.0)
         weight = self._weights(notch)
@@ -115,11 +114,11 @@ class Ligament:
         v, U = v * strength / pull[first], U * strength / pull[first]
         path, moved = [], first
         while True:
-            path.append((U, self.g @ v + self.c * U, 2 * v[~notch].max(), np.sum(piece[~notch] >= 0)))
+            path.append((U, self.g @ v + self.c * U, 2 * v))
+            begun = np.sum(piece[~notch] >= 0)
             piece[moved] += 1
-            peak = max(point[1] for point in path)
-            if path[-1][3] >= (most or len(self.x)) or path[-1][1] < least * peak:
-                return np.array(path).T
+            if begun >= (most or len(self.x)) or path[-1][1] < least * max(load for _, load, _ in path):
+                return tuple(np.array(column) for column in zip(*path))
             dv, dU = self._direction(piece, moved, weight, slopes)
             pull = -(self.S @ v + U * self.g) / weight
             rate = -(self.S @ dv + dU * self.g) / weight
@@ -167,5 +166,29 @@ def centre_cracked(a, width, height, material, strength, energy, plane="stress",
     held[-1, :, 0] |= clamped
     body = Ligament(x, y, elasticity(young, material["poisson"], plane), held, driven)
     fine = np.sum((x > a - 1e-6 * h) & (x < a + 4 * length))
-    U, load, opening, begun = body.crack(x < a - 1e-6 * h, strength, energy, law, fine)
-    return U, load / width, opening
+    notch = x < a - 1e-6 * h
+    U, load, opening = body.crack(notch, strength, energy, law, fine)
+    return U, load / width, opening[:, ~notch].max(axis=1)
+
+
+def bent(depth, notch, span, length, press, material, strength, energy, plane="stress", h=None,
+         law=LINEAR, least=0.1):
+    """A beam with a notch in the middle of its lower face, on rollers in the distance span/2 from it,
+    pressed down from above in the distance press/2 from the middle: at one point if that is 0.
+    @return displacement of the load, load, coordinates of the nodes along the line of the crack from the
+            lower face on and their openings"""
+    zone = material["young"] * energy / strength**2
+    h = h or zone / 30
+    x = graded(notch, (notch - 2 * h, depth), h, (0.0, depth))
+    y = [graded(0.0, (0.0, 0.5 * press), h, (0.0, 0.5 * press)),
+         graded(0.5 * press, (0.5 * press, 0.5 * press + 2 * h), h, (0.5 * press, 0.5 * span), 1.05),
+         graded(0.5 * span, (0.5 * span, 0.5 * span), 4 * h, (0.5 * span, 0.5 * length))]
+    pressed, borne = len(y[0]) - 1, len(y[0]) + len(y[1]) - 2
+    y = np.concatenate([y[0], y[1][1:], y[2][1:]])
+    held = np.zeros((len(y), len(x), 2), bool)
+    driven = np.zeros(held.shape)
+    held[borne, 0, 0] = held[pressed, -1, 0] = True
+    driven[pressed, -1, 0] = -1.0
+    body = Ligament(x, y, elasticity(material["young"], material["poisson"], plane), held, driven)
+    U, load, opening = body.crack(x < notch - 1e-6 * h, strength, energy, law, least=least)
+    return U, 2 * load, x, opening
