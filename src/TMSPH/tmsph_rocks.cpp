@@ -152,7 +152,8 @@ void TMSPHRocks::init(const TMSPHMaterials &present)
   if (domain->dimension == 3) all_principals = false;    // 3-D has all anyway
   for (int type = 1; type <= atom->ntypes; type++) {
     Rock &rock = rocks[type];
-    rock.tensile = 1.0 / law->load_factor(type, type, {rock.strength, 0.0, 0.0}, rock.strength);
+    const double pull[6] = {rock.strength};    // what a test would give the criterion
+    rock.tensile = 1.0 / law->load_factor(type, type, principals(pull, 0.0), rock.strength);
   }
   for (int type = 1; type <= atom->ntypes; type++) {
     rocks[type].weakest = 1.0;
