@@ -52,7 +52,8 @@ class Kernels : public ::testing::TestWithParam<std::tuple<std::string, int>> {
     return power(3.0 - q, 5) - 6.0 * power(2.0 - q, 5) + 15.0 * power(1.0 - q, 5);
   }
 
-  /// integral over all space of f(R), a polynomial of degree <= 9 times R^(1-d) between the knots
+  /// integral over all space of f(R), a polynomial of degree <= 9 times R^(1-d) between the knots,
+  /// which splines have at whole or half values of R/h
   template <class FN> double integral(FN f) const
   {
     const double x[5] = {-0.90617984593866399, -0.53846931010568309, 0.0, 0.53846931010568309,
@@ -60,10 +61,10 @@ class Kernels : public ::testing::TestWithParam<std::tuple<std::string, int>> {
     const double weight[5] = {0.23692688505618909, 0.47862867049936647, 128.0 / 225.0,
                               0.47862867049936647, 0.23692688505618909};
     double sum = 0.0;
-    for (double knot = 0.0; knot < support_in_smoothing_lengths(kernel); knot += 1.0)
+    for (double knot = 0.0; knot < support_in_smoothing_lengths(kernel); knot += 0.5)
       for (int k = 0; k < 5; k++) {
-        const double R = h * (knot + 0.5 * (1.0 + x[k]));
-        sum += 0.5 * h * weight[k] * f(R) * (dimension == 2 ? 2.0 * M_PI * R : 4.0 * M_PI * R * R);
+        const double R = h * (knot + 0.25 * (1.0 + x[k]));
+        sum += 0.25 * h * weight[k] * f(R) * (dimension == 2 ? 2.0 * M_PI * R : 4.0 * M_PI * R * R);
       }
     return sum;
   }
@@ -117,7 +118,7 @@ TEST_P(Kernels, support)
 {
   for (double R : {delta, 1.0001 * delta, 10.0 * delta}) EXPECT_EQ(w(R), 0.0);
   for (int k = 1; k < 1000; k++) EXPECT_GT(w(delta * k / 1000.0), 0.0);
-  // all three vanish at the support at least as (delta - R)^2, so a cut-off bond does not jump
+  // all vanish at the support at least as (delta - R)^2, so a cut-off bond does not jump
   EXPECT_LT(w(delta * (1.0 - 1.0e-6)), 1.0e-10 * w(0.5 * delta));
 }
 
