@@ -45,6 +45,7 @@ BAD = "fix heat all tmsph/heat "
 SKIN = CONDUCTS + "\n" + HEAT
 TABLE = BAD + "specific/heat * 850 conductivity * table cloud.data k"
 CUT = "tmsph/cut all "
+RELAX = "tmsph/relax all region "
 HOLE = "\nregion hole block INF 1.5e-3 6.5e-3 INF INF INF units box"
 CONTACT = "fix touch all tmsph/contact "
 WALL = "fix wall all tmsph/wall "
@@ -374,6 +375,42 @@ CASES = [
     (PLATE, {"pair": "", "coeff": "", "break": "", "more": CUT + "line 0 0 1 1"},
      "tmsph/cut needs pair style tmsph"),
     (PLATE, dict(coeff="", more=CUT + "line 0 0 1 1"), "pair coeff"),
+    (PLATE, dict(more="tmsph/relax"), "tmsph/relax|missing"),
+    (PLATE, dict(more="tmsph/relax all"), "tmsph/relax|missing"),
+    (PLATE, dict(space="tmsph/relax all region 1"), "tmsph/relax before the simulation box"),
+    (PLATE, dict(more="tmsph/relax some region box"), "some|define"),
+    (PLATE, dict(more="group none empty\ntmsph/relax none region box"),
+     "Group none of tmsph/relax has no particles"),
+    (PLATE, dict(more="tmsph/relax all push 10"), "give 'region ID'"),
+    (PLATE, dict(more="tmsph/relax all regions box"), "regions|perhaps 'region'"),
+    (PLATE, dict(more=RELAX), "tmsph/relax region|missing"),
+    (PLATE, dict(more=RELAX + "nowhere"), "region nowhere|define"),
+    (PLATE, dict(more=RELAX + "box region box"), "region box|twice"),
+    (PLATE, dict(more=RELAX + "box push -1"), "push -1|negative"),
+    (PLATE, dict(more=RELAX + "box balance many"), "integer|many"),
+    (PLATE, dict(more=RELAX + "box thickness 0"), "thickness 0|positive"),
+    (CUBE, dict(more=RELAX + "box thickness 1"), "thickness|dimension 2"),
+    (PLATE, dict(more="region r block 0 2e-3 0 2e-3 -1 1 units box open 1\n" + RELAX + "r"),
+     "region r has open faces|without 'open'"),
+    (PLATE, dict(more="region r block INF 2e-3 0 2e-3 -1 1 units box\n" + RELAX + "r"),
+     "Region r|no surface in x|not periodic"),
+    (PLATE, dict(more="region r sphere 2e-3 2e-3 0 1e-3 side out units box\n" + RELAX + "r"),
+     "Region r|no surface in x|not periodic"),
+    (PLATE, dict(more="region r block 90 91 0 1 -1 1\n" + RELAX + "r"),
+     "Region r|no particles of the group"),
+    (PLATE, dict(more="region r sphere 2e-3 2e-3 0 1.5e-3 units box\n" + RELAX + "box region r"),
+     "Regions box and r|overlap|side out"),
+    (PLATE, dict(more="create_atoms 1 single 2e-3 2e-3 0 units box\n"
+                      "create_atoms 1 single 2e-3 2e-3 0 units box\nset group all volume 1e-6\n"
+                 + RELAX + "box"), "same place|delete_atoms overlap"),
+    (PLATE, dict(more="create_atoms 1 single 2.5e-3 2.1e-3 0 units box\n" + RELAX + "box"),
+     "has a volume|has none"),
+    (PLATE, dict(pair="pair_style tmsph 0.5", skin="", more=RELAX + "box"),
+     "Horizon 0.5|spacings|region box|give about 3"),
+    (PLATE, dict(more="run 0\n" + RELAX + "box"), "after the bonds have formed|before"),
+    (PLATE, {"pair": "", "coeff": "", "break": "", "more": RELAX + "box"},
+     "tmsph/relax needs pair style tmsph"),
+    (PLATE, dict(coeff="", more=RELAX + "box"), "needs pair style tmsph and its coefficients"),
     (PLATE, dict(more="compute p all tmsph/property/atom"), "tmsph/property/atom|missing"),
     (PLATE, dict(more="compute p all tmsph/property/atom ux spin"), "spin|use ux"),
     (PLATE, {"break": "", "more": "compute p all tmsph/property/atom strength"},

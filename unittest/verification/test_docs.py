@@ -58,6 +58,7 @@ WORDS = {
     "compute_tmsph_bond_local": {2: [f"compute 1 all tmsph/bond/local {word}?"
                                      for word in ("", "only ")]},
     "tmsph_cut": {2: ["tmsph/cut all ?"], 3: ["tmsph/cut all ?"]},
+    "tmsph_relax": {2: ["tmsph/relax all ?"], 3: ["tmsph/relax all ?"]},
     "tmsph_quasistatic": {2: ["tmsph/quasistatic 1 ?"]},
     "min_tmsph_lbfgs": {2: ["min_style tmsph/lbfgs\nmin_modify memory ?"]},
 }

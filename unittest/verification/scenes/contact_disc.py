@@ -5,20 +5,18 @@ has the same stresses (Lame)."""
 
 import numpy as np
 
-from tmsph_testing import Scene, contact_pressure, disc_materials, disc_polar_stress, lattice
+from scenes.disc import INCLUSION, RADIUS, lattice_disc
+from tmsph_testing import Scene, contact_pressure, disc_materials, disc_polar_stress
 
-INCLUSION, RADIUS, SPACING, HEATED, STEPS = 0.015, 0.050, 1e-3, 100.0, 3000
+SPACING, HEATED, STEPS = 1e-3, 100.0, 3000
 
 
 class ContactDisc:
-    """words are of fix tmsph/contact. Forces are in units of the exact sum of the contact forces,
-    stresses in those of the exact pressure."""
+    """words are of fix tmsph/contact; cloud: the particles, if they are not on a lattice. Forces are in
+    units of the exact sum of the contact forces, stresses in those of the exact pressure."""
 
-    def __init__(self, words=""):
-        cells = (2 * int(RADIUS / SPACING) + 4, 2 * int(RADIUS / SPACING / 3**0.5) + 4)
-        cloud = lattice("hex", cells, SPACING, centre=True)
-        cloud.X += [0.25 * SPACING, 0.25 * 3**0.5 * SPACING]    # a particle in the centre
-        cloud = cloud.kept(lambda X: np.linalg.norm(X, axis=1) <= RADIUS)
+    def __init__(self, words="", cloud=None):
+        cloud = cloud or lattice_disc(SPACING)
         r = np.linalg.norm(cloud.X, axis=1)
         inside = r <= INCLUSION
         cloud.type[~inside] = 2

@@ -11,17 +11,21 @@ INCLUSION, RADIUS, TEMPERATURE = 0.015, 0.050, 1.0
 FAR = 0.006    # from interface and rim
 
 
+def lattice_disc(spacing):
+    cells = (2 * int(RADIUS / spacing) + 4, 2 * int(RADIUS / spacing / 3**0.5) + 4)
+    cloud = lattice("hex", cells, spacing, centre=True)
+    cloud.X += [0.25 * spacing, 0.25 * 3**0.5 * spacing]    # a particle in the centre
+    return cloud.kept(lambda X: np.linalg.norm(X, axis=1) <= RADIUS)
+
+
 class Disc:
     """pair: materials of inclusion and matrix. residual: root mean square force on a particle in
     units of p times the spacing. quasistatic: residual of tmsph/quasistatic, instead of
-    minimize."""
+    minimize. cloud: its particles, if they are not on a lattice."""
 
     def __init__(self, plane, pair, spacing, options="", horizon=HORIZON, ranks=1,
-                 residual=1e-5, style="cg", quasistatic=None):
-        cells = (2 * int(RADIUS / spacing) + 4, 2 * int(RADIUS / spacing / 3**0.5) + 4)
-        cloud = lattice("hex", cells, spacing, centre=True)
-        cloud.X += [0.25 * spacing, 0.25 * 3**0.5 * spacing]    # a particle in the centre
-        self.cloud = cloud = cloud.kept(lambda X: np.linalg.norm(X, axis=1) <= RADIUS)
+                 residual=1e-5, style="cg", quasistatic=None, cloud=None):
+        self.cloud = cloud = cloud or lattice_disc(spacing)
         inside = np.linalg.norm(cloud.X, axis=1) <= INCLUSION
         cloud.type[~inside] = 2
         self.V = V = cloud.volume
