@@ -216,7 +216,7 @@ def tested(module):
 
 # ---- the whole suite ----
 
-SUBJECTS = ["mechanics", "discretization", "timestep", "dynamics", "fracture", "contact", "heat",
+SUBJECTS = ["mechanics", "discretization", "timestep", "dynamics", "fracture", "openings", "contact", "heat",
             "geometry", "units"]
 
 
