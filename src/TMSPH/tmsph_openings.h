@@ -149,10 +149,8 @@ class TMSPHOpenings : protected Pointers {
   template <int D> void gather(const TMSPHBondState &, int i, TMSPH::OpenFit<D> &) const;
   /// rows of particles with openings after their fits
   template <int D> void fill_open_rows(const TMSPHBondState &);
-  /// how they are found
-  enum Way { STEP, STEP_ON, SEARCH };
-  template <int D> void follow_laws(const TMSPHBondState &, Way, double close, int most);
-  template <int D> double update_once(Way);
+  template <int D> void follow_laws(const TMSPHBondState &, bool search);
+  template <int D> double update_once(bool search, bool decides);
   void decide_leaving(int i, int j, TMSPH::OpenBond &);
   template <int D> void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);
 };

@@ -273,7 +273,7 @@ template <int D> void TMSPHOpenings::complete(const TMSPHBondState &s)
 template <int D> void TMSPHOpenings::update(TMSPHBondState s)
 {
   s.stress = nullptr;    // ghosts have that of before
-  follow_laws<D>(s, STEP, CLOSE_TO_LAW, MOST_SWEEPS);
+  follow_laws<D>(s, false);
   settle();
 }
 
@@ -284,21 +284,22 @@ template <int D> void TMSPHOpenings::relax(TMSPHBondState s)
   s.stress = nullptr;
   s.own_side = nullptr;    // nothing is tested
   exchange<D>(s, nullptr);
-  follow_laws<D>(s, SEARCH, CLOSE_IN_SEARCH, MOST_IN_SEARCH);
+  follow_laws<D>(s, true);
 }
 
 /* ---------------------------------------------------------------------- */
 
-template <int D>
-void TMSPHOpenings::follow_laws(const TMSPHBondState &s, Way way, double close, int most)
+template <int D> void TMSPHOpenings::follow_laws(const TMSPHBondState &s, bool search)
 {
   using O = OpenRow<D>;
+  const double close = search ? CLOSE_IN_SEARCH : CLOSE_TO_LAW;
+  const int most = search ? MOST_IN_SEARCH : MOST_SWEEPS;
   for (int sweep = 0; sweep < most; sweep++) {
     if (sweep) {
       fill_open_rows<D>(s);
       ghosts.send(rows, O::H, O::LEAST - O::H);
     }
-    const double mine = update_once<D>(sweep && way == STEP ? STEP_ON : way);
+    const double mine = update_once<D>(search, sweep == 0);
     correct<D>(s);
     double largest;
     MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -307,11 +308,12 @@ void TMSPHOpenings::follow_laws(const TMSPHBondState &s, Way way, double close, 
 }
 
 /* ----------------------------------------------------------------------
-   STEP decides which bonds leave the fit next, too
-   @return the largest change of a traction over the strength
+   @param search  for equilibrium, from the openings before it
+   @param decides which bonds leave the fit next, if it is none
+   @return        the largest change of a traction over the strength
 ------------------------------------------------------------------------- */
 
-template <int D> double TMSPHOpenings::update_once(Way way)
+template <int D> double TMSPHOpenings::update_once(bool search, bool decides)
 {
   using O = OpenRow<D>;
   double largest = 0.0;
@@ -341,13 +343,13 @@ template <int D> double TMSPHOpenings::update_once(Way way)
               return stored_energy(one, b.opening) + dissipated_energy(one, b.opening);
             };
             account.rise_by(-0.5 * b.area * total());
-            if (way == SEARCH) b.opening.most = b.settled;
+            if (search) b.opening.most = b.settled;
             TMSPH::update(one, b.opening, pull / b.area, stiffness);
             account.rise_by(0.5 * b.area * total());
           },
           law);
       largest = std::max(largest, stiffness * std::fabs(b.opening.now - c) / b.opening.strength);
-      if (way == STEP) decide_leaving(i, j, b);
+      if (decides && !search) decide_leaving(i, j, b);
     }
   account.end_update();
   return largest;
