@@ -68,10 +68,14 @@ class Strip:
 STRETCH = 0.65e-6    # of a strip in a step of equilibria; its crack is through after 20 of 40
 
 
-def still_strip(name, angle, spacing):
-    """A strip that equilibria() stretches, and half the distance of its grips."""
+def still_strip(name, angle, spacing, split=False):
+    """A strip that equilibria() stretches, and half the distance of its grips. split: its halves have
+    types of their own."""
     grip = 0.5 * HEIGHT - 3 * spacing
-    scene = Scene(Strip(name, angle, spacing).cloud, [material(YOUNG, POISSON, DENSITY)])
+    cloud = Strip(name, angle, spacing).cloud
+    if split:
+        cloud.type = 1 + (cloud.X[:, 1] > 0)
+    scene = Scene(cloud, [material(YOUNG, POISSON, DENSITY)] * cloud.type.max())
     scene.add(f"tmsph/cut all line -1 1e-7 {-0.5 * WIDTH + NOTCH} 1e-7\n"
               f"region low block INF INF INF {-grip} INF INF\nregion high block INF INF {grip} INF INF INF\n"
               "group low region low\ngroup high region high")
@@ -147,17 +151,8 @@ def energies(report):
 def interface(report):
     """A crack along the boundary of two types. Alike, they take what one type does, to the scatter of a
     calibration over lattices; values for bonds between them are taken from 'between'."""
-    def crack(words, ratio=1.0, split=True):
-        strip = Strip("square", 0)
-        if split:
-            strip.cloud.type = 1 + (strip.cloud.X[:, 1] > 0)
-        grip = 0.5 * HEIGHT - 3 * strip.spacing
-        rock = material(YOUNG, POISSON, DENSITY)
-        scene = Scene(strip.cloud, [rock, dict(rock, young=ratio * YOUNG)][:1 + split])
-        scene.add(f"tmsph/cut all line -1 1e-7 {-0.5 * WIDTH + NOTCH} 1e-7\n"
-                  f"region low block INF INF INF {-grip} INF INF\n"
-                  f"region high block INF INF {grip} INF INF INF\n"
-                  "group low region low\ngroup high region high")
+    def crack(words, split=True):
+        scene, grip = still_strip("square", 0, SPACING, split)
         run = equilibria(scene, grip, 40, words).run()
         took = run.tables[-1]["f_break[6]"][-1] + run.tables[-1]["f_break[9]"][-1]
         load = max(abs(table["f_low[2]"][-1]) for table in run.tables)
@@ -181,7 +176,6 @@ def softening(report):
     opens farther. Events have the energy of their bonds; damage counts openings."""
     def pulled(words, steps, more=""):
         scene, grip = still_strip("square", 0, 1e-3)
-        scene.thermo("step")
         equilibria(scene, grip, steps, f"tensile * {TENSILE} energy * {ENERGY} {words}")
         return scene.add(more)
 
@@ -216,9 +210,8 @@ def heat(report):
                   "set group warm temperature 1.0\n"
                   "fix conduction all tmsph/heat conductivity * 2.5 specific/heat * 800\n"
                   "compute T all tmsph/property/atom temperature\n"
-                  "compute cold low reduce sum c_T\nvariable T atom c_T\n"
-                  "compute sum all reduce sum c_T\n")
-        scene.add("variable warmed atom c_T*(y<0)\ncompute warmed all reduce sum v_warmed\n"
+                  "compute sum all reduce sum c_T\n"
+                  "variable warmed atom c_T*(y<0)\ncompute warmed all reduce sum v_warmed\n"
                   "thermo_style custom step c_warmed c_sum\nthermo_modify norm no format float %.17g\n"
                   "timestep 1e-3\nrun 1")
         table = scene.run().tables[-1]
