@@ -578,7 +578,7 @@ def other_versions(report):
     scene = dict(PLATE, run="run 1\nwrite_restart r", more=fixes)
     scene["break"] = ""
     data = script(scene).run(keep="r").kept["r"]
-    formats = [struct.pack("<d", number) for number in (2.0, 3.0, 4.0)]
+    formats = [struct.pack("<d", number) for number in range(2, 10)]
     places = [at for at in range(4, len(data) - 8) if data[at:at + 8] in formats
               and struct.unpack("<i", data[at - 4:at])[0] in range(24, 1000, 8)]
     refused = {}
