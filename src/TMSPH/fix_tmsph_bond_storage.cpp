@@ -21,7 +21,7 @@ using namespace LAMMPS_NS;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 5.0;
+static constexpr double RESTART_FORMAT = 6.0;
 
 /* ---------------------------------------------------------------------- */
 

@@ -101,6 +101,13 @@ template <class Law> inline double dissipated_energy(Law, const Opening &o)
   return o.strength * o.end * (Law::area(x) - 0.5 * x * Law::traction(x));
 }
 
+/** k of update(): how much the traction of a bond falls, per length that it opens.
+    @param half half of the second derivative of the elastic energy U per area by the opening */
+template <class Law> inline double stiffness_of_update(Law, const Opening &o, double half)
+{
+  return half + 0.5 * Law::STEEPEST * o.strength / o.end;
+}
+
 /** One update. The bond carries the traction t at the opening c; if it opened by dc more that would
     fall by k dc. The new opening is where that line meets the law: with q = t + k c
       q <= 0            closed; as long as it never opened: q <= t0
@@ -109,12 +116,9 @@ template <class Law> inline double dissipated_energy(Law, const Opening &o)
     This minimizes t-line + k/2 (c' - c)^2 + the energy of the law, whose second derivative is at least
     -STEEPEST t0/c_f: U(c) + stored + dissipated never rises if k is half of the second derivative of
     the elastic energy U per area plus half of that, or more.
-    @param trial t, stress
-    @param half  half of the second derivative of U, stress per length */
-template <class Law> inline void update(Law, Opening &o, double trial, double half)
+    @param q, k stress, stress per length */
+template <class Law> inline void update(Law, Opening &o, double q, double k)
 {
-  const double k = half + 0.5 * Law::STEEPEST * o.strength / o.end;
-  const double q = trial + k * o.now;
   if (q <= (o.most > 0.0 ? 0.0 : o.strength)) {
     o.now = 0.0;
     return;

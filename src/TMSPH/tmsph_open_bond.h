@@ -3,19 +3,26 @@
 
    Bonds that open: a particle fits its displacement gradient to what is left
    of the relative displacements without the openings of its bonds. A bond
-   that has opened by c along the normal N, fixed in the material, is seen by
-   particle i as the jump c R_i N, R_i the rotation of its raw fit:
+   that has opened by the vector c, fixed in the material, is seen by particle i
+   as the jump R_i s_ij, s_ij = c_ij + e_ij, R_i the rotation of its raw fit:
 
      F_i    = I + (sum_j W_ij u'_ij X_ij^T) Kbar_i^-1 = R_i U_i
-     H_i    = (sum_j W_ij (u'_ij - c_ij R_i N_ij) X_ij^T) Kbar_i^-1
-     U_i    = V_i psi(H_i) + chi_i/2 sum_j W_ij |u'_ij - c_ij R_i N_ij - H_i X_ij|^2
-     f^i_ij = W_ij {B_i X_ij + chi_i (u'_ij - c_ij R_i N_ij)},  B_i as without openings
+     H_i    = (sum_j W_ij (u'_ij - R_i s_ij) X_ij^T) Kbar_i^-1
+     U_i    = V_i psi(H_i) + chi_i/2 sum_j W_ij |u'_ij - R_i s_ij - H_i X_ij|^2
+     f^i_ij = W_ij {B_i X_ij + chi_i (u'_ij - R_i s_ij)},  B_i as without openings
+
+   The faces of a crack go their own ways, and where they turn apart the jump
+   that continues the gradient of one end is not that of the other. So the ends
+   see two jumps. Their mean c = c_ij = -c_ji is what opens, against the cohesive
+   traction; half of their difference, e = e_ij = e_ji, takes no energy and is
+   where both ends pull alike.
 
    U_i knows no direction of space: turning the body changes nothing, and the
-   forces exert no torque. The traction of the bond is the derivative by c of
-   both ends, A t = f^i.R_i N + f^j.R_j N. As R_i follows the displacements too,
-   the force is that of B_i - R_i [p]x Kbar_i^-1, with
-     m = sum_j c_ij R_i N_ij x f^i_ij,  p = (tr U I - U)^-1 R_i^T m
+   forces exert no torque. The traction of the bond is the derivative by c,
+   A t = R_i^T f^i_ij - R_j^T f^j_ji; that by e is the sum, which is to be zero.
+   As R_i follows the displacements too, the force is that of
+   B_i - R_i [p]x Kbar_i^-1, with
+     m = sum_j R_i s_ij x f^i_ij,  p = (tr U I - U)^-1 R_i^T m
    (from R^T dF - dF^T R = [(tr U I - U) w]x with [w]x = R^T dR).
 ------------------------------------------------------------------------- */
 
@@ -35,15 +42,17 @@ namespace TMSPH {
 template <int D> using Column = Eigen::Matrix<double, D, 1>;
 template <int D> using SquareMatrix = Eigen::Matrix<double, D, D>;
 
-/** What an opening bond remembers: the same numbers at both ends, but for the sign of the normal,
-    which points to the partner. Nothing but doubles: it is stored as such. */
+/** What an opening bond remembers: the same numbers at both ends, but for the signs of the vectors,
+    which are those to the partner. Nothing but doubles: it is stored as such. */
 struct OpenBond {
-  Opening opening;
+  Opening opening;          ///< of the size |c|
   double area = 0.0;        ///< A of the crack that the bond stands for
   double patience = 0.0;    ///< updates until leaving the fit is tried again
   double leaves = 0.0;      ///< 1: the next step begins without it
   double settled = 0.0;     ///< largest opening before the present search for equilibrium
-  double normal[3] = {};    ///< N
+  double normal[3] = {};    ///< N of the crack, N.X > 0
+  double jump[3] = {};      ///< c, N.c >= 0
+  double uneven[3] = {};    ///< e, of the same sign at both ends
 };
 constexpr int OPEN_BOND_SIZE = sizeof(OpenBond) / sizeof(double);
 
@@ -51,9 +60,11 @@ constexpr int OPEN_BOND_SIZE = sizeof(OpenBond) / sizeof(double);
 template <int D> struct FitBond {
   Column<D> X, u;    ///< u' with the thermal strain taken off
   double weight;
-  double open;         ///< c, 0 where nothing opens
-  Column<D> normal;    ///< N
-  int place;           ///< number in the family
+  Column<D> jump;    ///< s
+  int place;         ///< in the family
+  int partner;       ///< index of the other end
+  int number;        ///< of the opening among those of the particle; -1: it has none, s is 0
+  bool open() const { return number >= 0; }
 };
 
 /** The rotation R of F = R U, and what its derivative needs. */
@@ -144,7 +155,7 @@ template <int D> struct OpenFit {
     const Polar<D> polar(identity + seen);
     rotation = polar.rotation;
     for (const auto &b : bonds)
-      if (b.open != 0.0) jumps += (b.weight * b.open) * (rotation * b.normal) * b.X.transpose();
+      if (b.open()) jumps += b.weight * (rotation * b.jump) * b.X.transpose();
     H = (raw - jumps) * shape_inverse;
     P = piola(law, H);
     B = volume * P * shape_inverse - chi * H;
@@ -152,8 +163,8 @@ template <int D> struct OpenFit {
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     for (const auto &b : bonds) {
       Column<D> left = b.u;
-      if (b.open != 0.0) {
-        const Column<D> jump = b.open * (rotation * b.normal);
+      if (b.open()) {
+        const Column<D> jump = rotation * b.jump;
         left -= jump;
         moment += cross<D>(jump, b.weight * (B * b.X + chi * left));
       }
@@ -164,24 +175,61 @@ template <int D> struct OpenFit {
   }
 };
 
-/** f^i.R_i N of one end: its part of A t. Both ends of a bond on whatever processors compute both
+/** R^T f of one end: its part of A t. Both ends of a bond on whatever processors compute both
     parts; compiled once, it rounds the same from both sides.
     @param R, B row-major, of the end
-    @param X, u, N, W, c of the bond as this end sees it */
+    @param X, u, c, W of the bond as this end sees it */
 template <int D>
-[[gnu::noinline]] double end_traction(const double *R, const double *B, double chi, const double *X,
-                                      const double *u, const double *N, double W, double c)
+[[gnu::noinline]] Column<D> end_traction(const double *R, const double *B, double chi,
+                                         const Column<D> &X, const Column<D> &u, const Column<D> &c,
+                                         double W)
 {
-  double traction = 0.0;
+  Column<D> traction = Column<D>::Zero();
   for (int i = 0; i < D; i++) {
-    double n = 0.0, f = 0.0;
+    double jump = 0.0, force = 0.0;
     for (int j = 0; j < D; j++) {
-      n += R[D * i + j] * N[j];
-      f += B[D * i + j] * X[j];
+      jump += R[D * i + j] * c[j];
+      force += B[D * i + j] * X[j];
     }
-    traction += n * (f + chi * (u[i] - c * n));
+    force += chi * (u[i] - jump);
+    for (int j = 0; j < D; j++) traction[j] += R[D * i + j] * force;
   }
   return W * traction;
+}
+
+/** An update of what both ends see alike, see tmsph_cohesion.h. Its energy depends on the size of
+    the opening alone, so that it goes where the pull does; faces that are pressed together slide.
+    @param pull      A t
+    @param stiffness half of the second derivative of the elastic energy per area, or more
+    @return          how far c went */
+template <int D, class Law>
+inline double open_further(Law law, OpenBond &b, const Column<D> &pull, double stiffness)
+{
+  Eigen::Map<Column<D>> c(b.jump);
+  const Eigen::Map<const Column<D>> normal(b.normal);
+  const double k = stiffness_of_update(law, b.opening, stiffness);
+  const Column<D> before = c;
+  Column<D> q = pull / b.area + k * c;
+  const double across = q.dot(normal);
+  if (across < 0.0) q -= across * normal;
+  const double size = q.norm();
+  update(law, b.opening, size, k);
+  if (b.opening.now > 0.0)
+    c = b.opening.now / size * q;
+  else
+    c.setZero();
+  return (c - before).norm();
+}
+
+/** An update of half of the difference of what both ends see, which takes no energy.
+    @param pull A times the traction conjugate to e
+    @return     how far e went */
+template <int D> inline double even_out(OpenBond &b, const Column<D> &pull, double stiffness)
+{
+  const Column<D> way = pull / (b.area * stiffness);
+  Eigen::Map<Column<D>> e(b.uneven);
+  e += way;
+  return way.norm();
 }
 
 }    // namespace TMSPH

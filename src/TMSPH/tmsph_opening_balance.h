@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace LAMMPS_NS {
 
@@ -31,7 +32,7 @@ class TMSPHOpeningBalance {
     done[AREA] += area;
   }
   /// and the fits change by this energy
-  void leave(double change) { done[LOST] -= change; }
+  void leave(double change) { (change > 0.0 ? done[GAINED] : done[LOST]) += std::fabs(change); }
   /// an update changes what openings hold and took
   void rise_by(double energy) { rise += energy; }
   void end_update() { updated = true; }

@@ -71,7 +71,9 @@ int TMSPHOpenings::most_sent() const
    the bonds of a particle as its fit sees them, see the sweeps
 ------------------------------------------------------------------------- */
 
-template <int D> void TMSPHOpenings::gather(const TMSPHBondState &s, int i, OpenFit<D> &fit) const
+template <int D>
+static void gather_one(const FixTMSPHBond &bonds, const TMSPHBondValues &values,
+                       const TMSPHBondState &s, int i, OpenFit<D> &fit)
 {
   using R = Rows<D>;
   const bool heated = s.on.thermal == ThermalStrain::BOND;
@@ -91,14 +93,10 @@ template <int D> void TMSPHOpenings::gather(const TMSPHBondState &s, int i, Open
       b.u = (young * b.u - push * b.X) / (young + push);
     }
     b.weight = s.slices.weight[s.slices.at(i, k)];
-    b.open = 0.0;
-    b.normal.setZero();
+    b.jump.setZero();
     b.place = k;
-    const int m = values.count(i) ? values.number(i, k) : -1;
-    if (m >= 0) {
-      b.open = bond(i, m).opening.now;
-      for (int c = 0; c < D; c++) b.normal[c] = bond(i, m).normal[c];
-    }
+    b.partner = j;
+    b.number = values.count(i) ? values.number(i, k) : -1;
     fit.bonds.push_back(b);
   }
   const double *const own = s.slices.constants<D>(i);
@@ -139,16 +137,45 @@ static void store_stress(const Features &on, const OpenFit<D> &fit, const Square
 
 /* ---------------------------------------------------------------------- */
 
+template <int D> void TMSPHOpenings::gather(const TMSPHBondState &s)
+{
+  auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
+  fits.resize(open.size());
+  for (size_t n = 0; n < open.size(); n++) gather_one<D>(bonds, values, s, open[n], fits[n]);
+  take_jumps<D>();
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void TMSPHOpenings::take_jumps()
+{
+  auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
+  for (size_t n = 0; n < open.size(); n++)
+    for (FitBond<D> &seen : fits[n].bonds) {
+      if (!seen.open()) continue;
+      const OpenBond &b = bond(open[n], seen.number);
+      for (int a = 0; a < D; a++) seen.jump[a] = b.jump[a] + b.uneven[a];
+    }
+}
+
+/* ---------------------------------------------------------------------- */
+
 template <int D> void TMSPHOpenings::correct(const TMSPHBondState &s)
+{
+  gather<D>(s);
+  evaluate<D>(s);
+}
+
+/* ---------------------------------------------------------------------- */
+
+template <int D> void TMSPHOpenings::evaluate(const TMSPHBondState &s)
 {
   using R = Rows<D>;
   auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
-  fits.resize(open.size());
   double sum = 0.0;
   for (size_t n = 0; n < open.size(); n++) {
     const int i = open[n];
     OpenFit<D> &fit = fits[n];
-    gather(s, i, fit);
     std::visit([&fit](auto elastic) { fit.evaluate(elastic); }, s.on.law);
     sum += fit.energy;
     if (s.force_row) store<D>(fit.B, s.force_row + (size_t) i * R::FORCE);
@@ -169,7 +196,7 @@ static SquareMatrix<D> own_gradient(const TMSPHOwnSide &own_side, int i, const O
   SquareMatrix<D> H = SquareMatrix<D>::Zero();
   for (const auto &b : fit.bonds) {
     Column<D> left = b.u;
-    if (b.open != 0.0) left -= b.open * (fit.rotation * b.normal);
+    if (b.open()) left -= fit.rotation * b.jump;
     H += left * own_side.fit_vector<D>(i, b.place).transpose();
   }
   return H;
@@ -217,13 +244,12 @@ template <int D> void TMSPHOpenings::finish(const TMSPHBondState &s)
 {
   using O = OpenRow<D>;
   auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
-  fits.resize(open.size());
+  gather<D>(s);
   energy.resize(open.size());
   make_rows(O::WIDTH);
   for (size_t n = 0; n < open.size(); n++) {
     const int i = open[n];
     OpenFit<D> &fit = fits[n];
-    gather(s, i, fit);
     std::visit([&fit](auto elastic) { fit.evaluate(elastic); }, s.on.law);
     store<D>(fit.B_turning, s.force_row + (size_t) i * Rows<D>::FORCE);
     store<D>(fit.rotation, rows[i] + O::R);
@@ -242,7 +268,7 @@ template <int D> void TMSPHOpenings::finish(const TMSPHBondState &s)
 }
 
 /* ----------------------------------------------------------------------
-   -W (chi_i c R_i N + chi_j c R_j N)/(1 + theta)
+   -W (chi_i R_i (c + e) + chi_j R_j (c - e))/(1 + theta)
 ------------------------------------------------------------------------- */
 
 template <int D>
@@ -256,15 +282,15 @@ void TMSPHOpenings::add_forces(const TMSPHBondState &s, double *f, int stride, d
     for (int m = 0; m < values.count(i); m++) {
       const OpenBond &b = bond(i, m);
       const int j = bonds.partner_index(i, values.place(i, m));
-      const double c = b.opening.now;
-      const auto jump = [&](int p) {
+      const auto jump = [&](int p, double sign) {
         const double *const turned = rows[p] + O::R;
         const double chi = s.force_row[(size_t) p * R::FORCE + R::CHI];
         Column<D> one;
         for (int a = 0; a < D; a++) {
           one[a] = 0.0;
-          for (int k = 0; k < D; k++) one[a] += turned[D * a + k] * b.normal[k];
-          one[a] *= chi * c;
+          for (int k = 0; k < D; k++)
+            one[a] += turned[D * a + k] * (b.jump[k] + sign * b.uneven[k]);
+          one[a] *= chi;
         }
         return one;
       };
@@ -275,7 +301,7 @@ void TMSPHOpenings::add_forces(const TMSPHBondState &s, double *f, int stride, d
         const double young = mine[R::YOUNG] + his[R::YOUNG];
         scale *= young / (young + (mine[R::THERMAL] + his[R::THERMAL]));
       }
-      const Column<D> force = -scale * (jump(i) + jump(j));
+      const Column<D> force = -scale * (jump(i, 1.0) + jump(j, -1.0));
       if (f)
         for (int a = 0; a < D; a++) f[(size_t) stride * i + a] += force[a];
       if (!total && !each) continue;
@@ -328,6 +354,8 @@ double TMSPHOpenings::bytes() const
 
 #define INSTANTIATE(D)                                                                        \
   template void TMSPHOpenings::correct<D>(const TMSPHBondState &);                            \
+  template void TMSPHOpenings::evaluate<D>(const TMSPHBondState &);                           \
+  template void TMSPHOpenings::take_jumps<D>();                                               \
   template void TMSPHOpenings::correct_own_side<D>(const TMSPHBondState &);                   \
   template void TMSPHOpenings::fill_open_rows<D>(const TMSPHBondState &);                     \
   template void TMSPHOpenings::finish<D>(const TMSPHBondState &);                             \

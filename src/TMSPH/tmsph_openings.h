@@ -146,12 +146,16 @@ class TMSPHOpenings : protected Pointers {
   void make_rows(int width);
   /// X and u' of bond (i, j), with the displacements of the rows: the same bits from both ends
   template <int D> double relative(int i, int j, double *X, double *u) const;
-  template <int D> void gather(const TMSPHBondState &, int i, TMSPH::OpenFit<D> &) const;
+  template <int D> void gather(const TMSPHBondState &);
+  /// what the ends see of openings in the bonds of their fits
+  template <int D> void take_jumps();
+  template <int D> void evaluate(const TMSPHBondState &);
   /// rows of particles with openings after their fits
   template <int D> void fill_open_rows(const TMSPHBondState &);
   template <int D> void follow_laws(const TMSPHBondState &, bool search);
   template <int D> double update_once(bool search, bool decides);
   void decide_leaving(int i, int j, TMSPH::OpenBond &);
+  double taken_by(const TMSPH::OpenBond &) const;
   template <int D> void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);
 };
 

@@ -27,6 +27,12 @@ constexpr double LEAST_SHAPE = 0.2;
 
 constexpr double PATIENCE = 20.0;
 
+// A bond may leave if the fits of its ends gain no more than this part of what its opening took.
+// They gain a little where it has gone where they want it: free faces are free of stress only
+// nearly. All gains together are to stay below 1e-4
+
+constexpr double MOST_GAIN = 2.0e-5;
+
 // so close are tractions to their laws, in units of the strength; more than a few sweeps are rare
 
 constexpr double CLOSE_TO_LAW = 1.0e-3;
@@ -37,6 +43,11 @@ constexpr int MOST_SWEEPS = 30;
 
 constexpr double CLOSE_IN_SEARCH = 1.0e-6;
 constexpr int MOST_IN_SEARCH = 300;
+
+// Changes of openings are found with so much more than the least stiffness with which no update
+// gains energy: with that the stiffest change swings about its end for ever
+
+constexpr double SURELY = 1.5;
 
 // opened by this part of the end of the law a bond is fully open
 
@@ -70,6 +81,19 @@ template <int D> [[gnu::noinline]] Column<D> pulled_direction(const double *stre
   }
   const Eigen::SelfAdjointEigenSolver<SquareMatrix<D>> eigen(s);
   return eigen.eigenvectors().col(D - 1);
+}
+
+/// of both ends of a bond, each as it sees the bond
+/// @param mine, his rows of this end and of the other
+template <int D>
+std::pair<Column<D>, Column<D>> end_tractions(const double *mine, const double *his,
+                                              const FitBond<D> &seen, const OpenBond &b)
+{
+  using O = OpenRow<D>;
+  const Eigen::Map<const Column<D>> c(b.jump), e(b.uneven);
+  return {
+      end_traction<D>(mine + O::R, mine + O::B, mine[O::CHI], seen.X, seen.u, c + e, seen.weight),
+      end_traction<D>(his + O::R, his + O::B, his[O::CHI], -seen.X, -seen.u, e - c, seen.weight)};
 }
 
 }    // namespace
@@ -300,7 +324,8 @@ template <int D> void TMSPHOpenings::follow_laws(const TMSPHBondState &s, bool s
       ghosts.send(rows, O::H, O::LEAST - O::H);
     }
     const double mine = update_once<D>(search, sweep == 0);
-    correct<D>(s);
+    take_jumps<D>();
+    evaluate<D>(s);
     double largest;
     MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
     if (largest <= close) break;
@@ -317,26 +342,19 @@ template <int D> double TMSPHOpenings::update_once(bool search, bool decides)
 {
   using O = OpenRow<D>;
   double largest = 0.0;
-  for (const int i : open)
-    for (int m = 0; m < values.count(i); m++) {
-      OpenBond &b = bond(i, m);
-      const int j = bonds.partner_index(i, values.place(i, m));
-      const double W = bonds.weight(i, j), c = b.opening.now;
-      double X[D], u[D], minus[3][D];
-      relative<D>(i, j, X, u);
-      for (int a = 0; a < D; a++) {
-        minus[0][a] = -X[a];
-        minus[1][a] = -u[a];
-        minus[2][a] = -b.normal[a];
-      }
-      const double *const mine = rows[i], *const his = rows[j];
-      const double pull =
-          end_traction<D>(mine + O::R, mine + O::B, mine[O::CHI], X, u, b.normal, W, c) +
-          end_traction<D>(his + O::R, his + O::B, his[O::CHI], minus[0], minus[1], minus[2], W, c);
-      const double stiffness =
-          opening_stiffness(W, 0.5 * (mine[O::MODULUS] + his[O::MODULUS]), bonds.interior_kappa(),
+  auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
+  for (size_t n = 0; n < open.size(); n++)
+    for (const FitBond<D> &seen : fits[n].bonds) {
+      if (!seen.open()) continue;
+      OpenBond &b = bond(open[n], seen.number);
+      const double *const mine = rows[open[n]], *const his = rows[seen.partner];
+      const auto [own, other] = end_tractions<D>(mine, his, seen, b);
+      const double stiffness = SURELY *
+          opening_stiffness(seen.weight, 0.5 * (mine[O::MODULUS] + his[O::MODULUS]),
+                            bonds.interior_kappa(),
                             std::min(1.0, std::min(mine[O::LEAST], his[O::LEAST])),
                             0.5 * (mine[O::CHI] + his[O::CHI]), b.area);
+      const Column<D> together = own - other, apart = own + other;
       std::visit(
           [&](auto one) {
             const auto total = [&] {
@@ -344,15 +362,23 @@ template <int D> double TMSPHOpenings::update_once(bool search, bool decides)
             };
             account.rise_by(-0.5 * b.area * total());
             if (search) b.opening.most = b.settled;
-            TMSPH::update(one, b.opening, pull / b.area, stiffness);
+            const double way = std::max(open_further<D>(one, b, together, stiffness),
+                                        even_out<D>(b, apart, stiffness));
+            largest = std::max(largest, stiffness * way / b.opening.strength);
             account.rise_by(0.5 * b.area * total());
           },
           law);
-      largest = std::max(largest, stiffness * std::fabs(b.opening.now - c) / b.opening.strength);
-      if (decides && !search) decide_leaving(i, j, b);
+      if (decides && !search) decide_leaving(open[n], seen.partner, b);
     }
   account.end_update();
   return largest;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double TMSPHOpenings::taken_by(const OpenBond &b) const
+{
+  return b.area * std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
 }
 
 /* ----------------------------------------------------------------------
@@ -364,7 +390,7 @@ void TMSPHOpenings::decide_leaving(int i, int j, OpenBond &b)
   const double *const mine = rows[i] + candidate_column, *const his = rows[j] + candidate_column;
   b.patience = std::max(0.0, b.patience - 1.0);
   if (ubuf(mine[0]).i != (bigint) atom->tag[j] || ubuf(his[0]).i != (bigint) atom->tag[i]) return;
-  if (mine[1] + his[1] <= 0.0) {
+  if (mine[1] + his[1] <= MOST_GAIN * taken_by(b)) {
     b.leaves = 1.0;
     account.leave(mine[1]);
   } else
@@ -380,8 +406,7 @@ std::vector<TMSPHOpenings::Leaving> TMSPHOpenings::leaving()
     for (int m = values.count(i) - 1; m >= 0; m--)
       if (bond(i, m).leaves != 0.0) {
         const OpenBond &b = bond(i, m);
-        const double taken =
-            b.area * std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
+        const double taken = taken_by(b);
         all.push_back({i, values.place(i, m), taken});
         account.finish(0.5 * taken, 0.5 * b.area);
       }

@@ -42,9 +42,9 @@ template <int D> OpenFit<D> some_fit()
     b.place = n;
     b.weight = 0.5 + 0.4 * value(random);
     b.u = turned * b.X - b.X + 0.05 * vector();
-    b.open = n == 3 ? 0.2 : n == 7 ? 0.1 : 0.0;
-    b.normal = vector().normalized();
-    if (b.normal.dot(b.X) < 0.0) b.normal = -b.normal;
+    b.partner = -1;
+    b.number = n == 3 ? 0 : n == 7 ? 1 : -1;
+    b.jump = b.open() ? 0.2 * vector() : Column<D>::Zero().eval();
     K += b.weight * b.X * b.X.transpose();
     fit.bonds.push_back(b);
   }
@@ -56,7 +56,7 @@ template <int D> OpenFit<D> some_fit()
 template <int D> Column<D> force(const OpenFit<D> &fit, int n)
 {
   const auto &b = fit.bonds[n];
-  return b.weight * (fit.B_turning * b.X + fit.chi * (b.u - b.open * (fit.rotation * b.normal)));
+  return b.weight * (fit.B_turning * b.X + fit.chi * (b.u - fit.rotation * b.jump));
 }
 
 /// central differences of an energy of order 1: truncation h^2, rounding 1e-16/h
@@ -78,26 +78,102 @@ template <int D> void forces_are_derivatives()
     }
 }
 
+template <int D> Column<D> traction(const OpenFit<D> &fit, const FitBond<D> &b)
+{
+  const Eigen::Matrix<double, D, D, Eigen::RowMajor> R = fit.rotation, B = fit.B;
+  return end_traction<D>(R.data(), B.data(), fit.chi, b.X, b.u, b.jump, b.weight);
+}
+
 template <int D> void traction_is_derivative()
 {
   const OpenFit<D> fit = some_fit<D>();
   for (const int n : {3, 7}) {
-    double energy[2];
-    for (int side = 0; side < 2; side++) {
-      OpenFit<D> moved = fit;
-      moved.bonds[n].open += side ? STEP : -STEP;
-      moved.evaluate(StVenantKirchhoff());
-      energy[side] = moved.energy;
+    FitBond<D> b = fit.bonds[n];
+    const Column<D> found = traction<D>(fit, b);
+    for (int k = 0; k < D; k++) {
+      double energy[2];
+      for (int side = 0; side < 2; side++) {
+        OpenFit<D> moved = fit;
+        moved.bonds[n].jump[k] += side ? STEP : -STEP;
+        moved.evaluate(StVenantKirchhoff());
+        energy[side] = moved.energy;
+      }
+      EXPECT_NEAR(found[k], -(energy[1] - energy[0]) / (2.0 * STEP), AGREE);
     }
-    const auto &b = fit.bonds[n];
-    const Eigen::Matrix<double, D, D, Eigen::RowMajor> R = fit.rotation, B = fit.B;
-    const double traction = end_traction<D>(R.data(), B.data(), fit.chi, b.X.data(), b.u.data(),
-                                            b.normal.data(), b.weight, b.open);
-    EXPECT_NEAR(traction, -(energy[1] - energy[0]) / (2.0 * STEP), AGREE);
-    const Column<D> X = -b.X, u = -b.u, N = -b.normal;
-    EXPECT_EQ(traction,
-              end_traction<D>(R.data(), B.data(), fit.chi, X.data(), u.data(), N.data(), b.weight,
-                              b.open));
+    b.X = -b.X;    // as the other end sees it
+    b.u = -b.u;
+    b.jump = -b.jump;
+    EXPECT_EQ(-found, traction<D>(fit, b));
+  }
+}
+
+/** The two ends of bond 3 open, while nothing moves: no update raises what both fits and the opening
+    hold and took, and in the end both ends pull alike, as the law has it.
+    @param pressed the faces are pressed together and slide */
+template <int D> void ends_pull_alike(bool pressed)
+{
+  OpenFit<D> fit[2] = {some_fit<D>(), some_fit<D>()};
+  auto &mine = fit[0].bonds[3], &his = fit[1].bonds[3];
+  his.X = -mine.X;
+  his.u = -mine.u;
+  for (int n = 0; n < (int) fit[1].bonds.size(); n++)    // another state there
+    if (n != 3) fit[1].bonds[n].u *= 0.9;
+  OpenBond b;
+  b.area = 0.6;
+  b.opening.strength = 0.05;
+  b.opening.end = 3.0;
+  // a bound of the second derivative from the shape matrices: H of an opening is W X.Kbar^-1
+  double stiffness = 0.0;
+  for (const auto &f : fit) {
+    const double reach = (f.shape_inverse * mine.X).squaredNorm() * mine.weight;
+    stiffness = std::max(
+        stiffness,
+        mine.weight * (3.0 * f.volume * (f.lambda + 2.0 * f.shear) * reach + f.chi) / b.area);
+  }
+  Column<D> pulls[2];
+  const auto evaluate = [&] {
+    const Eigen::Map<const Column<D>> c(b.jump), e(b.uneven);
+    mine.jump = c + e;
+    his.jump = e - c;
+    for (int p = 0; p < 2; p++) {
+      fit[p].evaluate(StVenantKirchhoff());
+      pulls[p] = traction<D>(fit[p], fit[p].bonds[3]);
+    }
+    return fit[0].energy + fit[1].energy +
+        b.area *
+        (stored_energy(LinearCohesion(), b.opening) +
+         dissipated_energy(LinearCohesion(), b.opening));
+  };
+  double before = evaluate();
+  Column<D> normal = (pulls[0] - pulls[1]).normalized();
+  if (pressed) {    // half against the pull, half across it
+    const Column<D> across = Column<D>::Unit(0) - normal[0] * normal;
+    normal = (across.normalized() - normal).normalized();
+  }
+  std::copy_n(normal.data(), D, b.normal);
+  for (int n = 0; n < 4000; n++) {
+    open_further<D>(LinearCohesion(), b, pulls[0] - pulls[1], stiffness);
+    even_out<D>(b, pulls[0] + pulls[1], stiffness);
+    const double now = evaluate();
+    ASSERT_LE(now, before + 1.0e-14 * std::fabs(before)) << n;
+    before = now;
+  }
+  const Eigen::Map<const Column<D>> c(b.jump), e(b.uneven);
+  EXPECT_LT((pulls[0] + pulls[1]).norm(), 1.0e-9);
+  EXPECT_GT(e.norm(), 1.0e-3);
+  EXPECT_GT(c.norm(), 1.0e-3);
+  EXPECT_NEAR(c.norm(), b.opening.now, 1.0e-14);
+  EXPECT_GT(c.dot(normal), -1.0e-14);
+  const Column<D> t = (pulls[0] - pulls[1]) / b.area;
+  if (!pressed) {
+    EXPECT_NEAR((t - TMSPH::traction(LinearCohesion(), b.opening) * c.normalized()).norm(), 0.0,
+                1.0e-9);
+  } else {
+    EXPECT_NEAR(c.dot(normal), 0.0, 1.0e-14);
+    const Column<D> along = t - t.dot(normal) * normal;
+    EXPECT_NEAR((along - TMSPH::traction(LinearCohesion(), b.opening) * c.normalized()).norm(), 0.0,
+                1.0e-9);
+    EXPECT_LT(t.dot(normal), 0.0);
   }
 }
 
@@ -130,6 +206,22 @@ TEST(OpenBond, TractionIsDerivative2d)
 TEST(OpenBond, TractionIsDerivative3d)
 {
   traction_is_derivative<3>();
+}
+TEST(OpenBond, EndsPullAlike2d)
+{
+  ends_pull_alike<2>(false);
+}
+TEST(OpenBond, EndsPullAlike3d)
+{
+  ends_pull_alike<3>(false);
+}
+TEST(OpenBond, PressedFacesDoNotPass2d)
+{
+  ends_pull_alike<2>(true);
+}
+TEST(OpenBond, PressedFacesDoNotPass3d)
+{
+  ends_pull_alike<3>(true);
 }
 TEST(OpenBond, NoTorque2d)
 {
