@@ -138,7 +138,7 @@ template <class Law> inline void update(Law, Opening &o, double q, double k)
 /** For update(): half of the second derivative of the elastic energy of a bond by its
     opening, bounded from above.
     @param W       weight W_ij of the bond
-    @param modulus lambda + 2 mu
+    @param modulus D lambda + 2 mu: all bonds of a particle may open at once
     @param kappa   tr K/D of the interior
     @param least   least eigenvalue of K/kappa at both ends: where a neighborhood has lost bonds, the
                    same opening changes H more

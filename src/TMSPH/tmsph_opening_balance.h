@@ -17,7 +17,7 @@ namespace LAMMPS_NS {
 class TMSPHOpeningBalance {
  public:
   /// half of each bond at each end: energies that openings took, that they hold, that updates
-  /// gained (0 in theory) and that is lost with bonds that left the fit; area, that of unfinished
+  /// (0 in theory) and bonds that left the fit gained, and that these lost; area, that of unfinished
   /// ones by their opening; number of opening bonds
   enum { DISSIPATED, STORED, GAINED, LOST, AREA, OPENING, FIGURES };
   using Figures = std::array<double, FIGURES>;

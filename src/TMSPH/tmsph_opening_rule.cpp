@@ -246,7 +246,10 @@ void TMSPHOpeningRule::complete()
 
 TMSPHOpeningBalance::Figures TMSPHOpeningRule::figures() const
 {
-  return opening ? opening->figures() : TMSPHOpeningBalance::Figures();
+  if (!opening) return {};
+  TMSPHOpeningBalance::Figures sums = opening->figures();
+  sums[TMSPHOpeningBalance::AREA] /= CALIBRATION;    // of the crack
+  return sums;
 }
 
 TMSPHOpeningBalance::Figures TMSPHOpeningRule::finished() const

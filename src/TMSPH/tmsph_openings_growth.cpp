@@ -47,7 +47,7 @@ constexpr int MOST_IN_SEARCH = 300;
 // Changes of openings are found with so much more than the least stiffness with which no update
 // gains energy: with that the stiffest change swings about its end for ever
 
-constexpr double SURELY = 1.5;
+constexpr double SURELY = 1.2;
 
 // opened by this part of the end of the law a bond is fully open
 
@@ -118,7 +118,7 @@ template <int D> void TMSPHOpenings::exchange(const TMSPHBondState &s, const cha
     std::copy_n(s.kinematic + (size_t) i * R::KINEMATIC + R::U, D, r + O::U);
     std::copy_n(gradient + (size_t) i * D * D, D * D, r + O::H);
     r[O::CHI] = constant(3);
-    r[O::MODULUS] = constant(1) + 2.0 * constant(2);
+    r[O::MODULUS] = D * constant(1) + 2.0 * constant(2);
     r[O::NEAR] = near && near[i];
     r[O::LEAST] = 0.0;    // no openings
   }
