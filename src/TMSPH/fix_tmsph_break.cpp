@@ -194,6 +194,8 @@ bool FixTMSPHBreak::softening(Due &bond, bool looked)
   std::copy_n(bond.stress, 6, stress);
   const double pull = looked ? opening.pull(bond.i, j, stress) : bond.principals.largest;
   if (!opening.is_tension(pull, strength)) return false;
+  const bool wanted = pull >= strength || relative > 0.0;
+  if (looked && wanted && !opening.crosses(bond.i, j, stress)) return true;
   test.largest = std::max(test.largest, pull / strength);
   if (looked && pull >= strength) {
     std::copy_n(stress, 6, bond.stress);

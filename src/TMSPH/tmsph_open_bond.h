@@ -35,6 +35,7 @@
 #include <Eigen/Dense>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace TMSPH {
@@ -49,7 +50,7 @@ struct OpenBond {
   double area = 0.0;        ///< A of the crack that the bond stands for
   double patience = 0.0;    ///< updates until leaving the fit is tried again
   double leaves = 0.0;      ///< 1: the next step begins without it
-  double settled = 0.0;     ///< largest opening before the present search for equilibrium
+  double settled = 0.0;     ///< largest opening before the present step, or search for equilibrium
   double normal[3] = {};    ///< N of the crack, N.X > 0
   double jump[3] = {};      ///< c, N.c >= 0
   double uneven[3] = {};    ///< e, of the same sign at both ends
@@ -132,105 +133,80 @@ template <int D> struct OpenFit {
   double volume, lambda, shear, chi;    ///< of this particle
   double heating, thermal;              ///< thermal strain, and what of it the law takes off
 
-  // results of evaluate()
+  // results of see(): of the displacements alone
 
-  SquareMatrix<D> rotation;     ///< R
-  SquareMatrix<D> seen;         ///< gradient of the displacements with all jumps
-  SquareMatrix<D> H, P;         ///< elastic gradient, first Piola-Kirchhoff stress
-  SquareMatrix<D> B;            ///< of f^i above
-  SquareMatrix<D> B_turning;    ///< and with the derivative of the rotation
+  SquareMatrix<D> raw;     ///< sum W u' X^T
+  SquareMatrix<D> seen;    ///< gradient of the displacements with all jumps
+  std::optional<Polar<D>> polar;
+
+  SquareMatrix<D> jumps;    ///< sum W s X^T, of take_jumps() or of updates
+
+  // of respond(): with these jumps
+
+  SquareMatrix<D> H, P;    ///< elastic gradient, first Piola-Kirchhoff stress
+  SquareMatrix<D> B;       ///< of f^i above
+
+  // of complete()
+
+  SquareMatrix<D> B_turning;    ///< B with the derivative of the rotation
   double energy;                ///< U_i
+
+  const SquareMatrix<D> &rotation() const { return polar->rotation; }
+  /// T of updates
+  SquareMatrix<D> back() const { return rotation().transpose() * B; }
 
   template <class Law> SquareMatrix<D> piola(Law, const SquareMatrix<D> &gradient) const
   {
     return dense<D>(Law::first_piola(plain<D>(gradient), lambda, shear, thermal));
   }
 
-  template <class Law> void evaluate(Law law)
+  void see()
   {
-    const SquareMatrix<D> identity = SquareMatrix<D>::Identity();
-    SquareMatrix<D> raw = SquareMatrix<D>::Zero(), jumps = raw;
+    raw.setZero();
     for (const auto &b : bonds) raw += b.weight * b.u * b.X.transpose();
     seen = raw * shape_inverse;
-    const Polar<D> polar(identity + seen);
-    rotation = polar.rotation;
+    polar.emplace(SquareMatrix<D>::Identity() + seen);
+  }
+
+  void take_jumps()
+  {
+    jumps.setZero();
     for (const auto &b : bonds)
-      if (b.open()) jumps += b.weight * (rotation * b.jump) * b.X.transpose();
-    H = (raw - jumps) * shape_inverse;
+      if (b.open()) jumps += b.weight * b.jump * b.X.transpose();
+  }
+
+  template <class Law> void respond(Law law)
+  {
+    H = (raw - rotation() * jumps) * shape_inverse;
     P = piola(law, H);
     B = volume * P * shape_inverse - chi * H;
+  }
+
+  template <class Law> void complete(Law)
+  {
     double misfit = 0.0;
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     for (const auto &b : bonds) {
       Column<D> left = b.u;
       if (b.open()) {
-        const Column<D> jump = rotation * b.jump;
+        const Column<D> jump = rotation() * b.jump;
         left -= jump;
         moment += cross<D>(jump, b.weight * (B * b.X + chi * left));
       }
       misfit += b.weight * (left - H * b.X).squaredNorm();
     }
-    B_turning = B - polar.of_moment(moment) * shape_inverse;
+    B_turning = B - polar->of_moment(moment) * shape_inverse;
     energy = volume * Law::energy(plain<D>(H), lambda, shear, thermal) + 0.5 * chi * misfit;
   }
-};
 
-/** R^T f of one end: its part of A t. Both ends of a bond on whatever processors compute both
-    parts; compiled once, it rounds the same from both sides.
-    @param R, B row-major, of the end
-    @param X, u, c, W of the bond as this end sees it */
-template <int D>
-[[gnu::noinline]] Column<D> end_traction(const double *R, const double *B, double chi,
-                                         const Column<D> &X, const Column<D> &u, const Column<D> &c,
-                                         double W)
-{
-  Column<D> traction = Column<D>::Zero();
-  for (int i = 0; i < D; i++) {
-    double jump = 0.0, force = 0.0;
-    for (int j = 0; j < D; j++) {
-      jump += R[D * i + j] * c[j];
-      force += B[D * i + j] * X[j];
-    }
-    force += chi * (u[i] - jump);
-    for (int j = 0; j < D; j++) traction[j] += R[D * i + j] * force;
+  template <class Law> void evaluate(Law law)
+  {
+    see();
+    take_jumps();
+    respond(law);
+    complete(law);
   }
-  return W * traction;
-}
-
-/** An update of what both ends see alike, see tmsph_cohesion.h. Its energy depends on the size of
-    the opening alone, so that it goes where the pull does; faces that are pressed together slide.
-    @param pull      A t
-    @param stiffness half of the second derivative of the elastic energy per area, or more
-    @return          how far c went */
-template <int D, class Law>
-inline double open_further(Law law, OpenBond &b, const Column<D> &pull, double stiffness)
-{
-  Eigen::Map<Column<D>> c(b.jump);
-  const Eigen::Map<const Column<D>> normal(b.normal);
-  const double k = stiffness_of_update(law, b.opening, stiffness);
-  const Column<D> before = c;
-  Column<D> q = pull / b.area + k * c;
-  const double across = q.dot(normal);
-  if (across < 0.0) q -= across * normal;
-  const double size = q.norm();
-  update(law, b.opening, size, k);
-  if (b.opening.now > 0.0)
-    c = b.opening.now / size * q;
-  else
-    c.setZero();
-  return (c - before).norm();
-}
-
-/** An update of half of the difference of what both ends see, which takes no energy.
-    @param pull A times the traction conjugate to e
-    @return     how far e went */
-template <int D> inline double even_out(OpenBond &b, const Column<D> &pull, double stiffness)
-{
-  const Column<D> way = pull / (b.area * stiffness);
-  Eigen::Map<Column<D>> e(b.uneven);
-  e += way;
-  return way.norm();
-}
+};
 
 }    // namespace TMSPH
 #endif

@@ -15,7 +15,7 @@ namespace TMSPH {
     particles, the second for those with openings. */
 template <int D> struct OpenRow {
   static constexpr int U = 0, H = D, CHI = H + D * D, MODULUS = CHI + 1, NEAR = MODULUS + 1;
-  static constexpr int R = NEAR + 1, B = R + D * D, LEAST = B + D * D, CANDIDATE = LEAST + 1,
+  static constexpr int R = NEAR + 1, T = R + D * D, LEAST = T + D * D, CANDIDATE = LEAST + 1,
                        RISE = CANDIDATE + 1, WIDTH = RISE + 1;
 };
 

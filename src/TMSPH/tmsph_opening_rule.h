@@ -47,6 +47,8 @@ class TMSPHOpeningRule : protected Pointers {
       @param stress mean of its ends, in return with what their fits leave over of it
       @return       its largest principal stress */
   double pull(int i, int j, double *stress) const;
+  /// it opens the crack that this stress does
+  bool crosses(int i, int j, const double *stress) const { return opening->crosses(i, j, stress); }
   /// what fails in a bond with this largest principal stress is tension, which it takes by opening
   static bool is_tension(double pull, double strength);
   /// bond k of local particle i begins to open

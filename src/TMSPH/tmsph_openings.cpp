@@ -30,6 +30,7 @@ void TMSPHOpenings::list_open()
   open.clear();
   for (int i = 0; i < atom->nlocal; i++)
     if (values.count(i)) open.push_back(i);
+  gathered = false;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -93,10 +94,10 @@ static void gather_one(const FixTMSPHBond &bonds, const TMSPHBondValues &values,
       b.u = (young * b.u - push * b.X) / (young + push);
     }
     b.weight = s.slices.weight[s.slices.at(i, k)];
-    b.jump.setZero();
     b.place = k;
     b.partner = j;
     b.number = values.count(i) ? values.number(i, k) : -1;
+    b.jump.setZero();
     fit.bonds.push_back(b);
   }
   const double *const own = s.slices.constants<D>(i);
@@ -141,8 +142,12 @@ template <int D> void TMSPHOpenings::gather(const TMSPHBondState &s)
 {
   auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
   fits.resize(open.size());
-  for (size_t n = 0; n < open.size(); n++) gather_one<D>(bonds, values, s, open[n], fits[n]);
+  for (size_t n = 0; n < open.size(); n++) {
+    gather_one<D>(bonds, values, s, open[n], fits[n]);
+    fits[n].see();
+  }
   take_jumps<D>();
+  gathered = true;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -150,12 +155,14 @@ template <int D> void TMSPHOpenings::gather(const TMSPHBondState &s)
 template <int D> void TMSPHOpenings::take_jumps()
 {
   auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
-  for (size_t n = 0; n < open.size(); n++)
+  for (size_t n = 0; n < open.size(); n++) {
     for (FitBond<D> &seen : fits[n].bonds) {
       if (!seen.open()) continue;
       const OpenBond &b = bond(open[n], seen.number);
       for (int a = 0; a < D; a++) seen.jump[a] = b.jump[a] + b.uneven[a];
     }
+    fits[n].take_jumps();
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -171,12 +178,17 @@ template <int D> void TMSPHOpenings::correct(const TMSPHBondState &s)
 template <int D> void TMSPHOpenings::evaluate(const TMSPHBondState &s)
 {
   using R = Rows<D>;
-  auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
   double sum = 0.0;
+  auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
   for (size_t n = 0; n < open.size(); n++) {
     const int i = open[n];
     OpenFit<D> &fit = fits[n];
-    std::visit([&fit](auto elastic) { fit.evaluate(elastic); }, s.on.law);
+    std::visit(
+        [&fit](auto elastic) {
+          fit.respond(elastic);
+          fit.complete(elastic);
+        },
+        s.on.law);
     sum += fit.energy;
     if (s.force_row) store<D>(fit.B, s.force_row + (size_t) i * R::FORCE);
     if (s.gradient) store<D>(fit.H, s.gradient + (size_t) i * D * D);
@@ -196,7 +208,7 @@ static SquareMatrix<D> own_gradient(const TMSPHOwnSide &own_side, int i, const O
   SquareMatrix<D> H = SquareMatrix<D>::Zero();
   for (const auto &b : fit.bonds) {
     Column<D> left = b.u;
-    if (b.open()) left -= fit.rotation * b.jump;
+    if (b.open()) left -= fit.rotation() * b.jump;
     H += left * own_side.fit_vector<D>(i, b.place).transpose();
   }
   return H;
@@ -233,8 +245,8 @@ template <int D> void TMSPHOpenings::fill_open_rows(const TMSPHBondState &s)
     store<D>(s.own_side && s.own_side->has(i) ? own_gradient<D>(*s.own_side, i, fits[n])
                                               : fits[n].H,
              r + O::H);
-    store<D>(fits[n].rotation, r + O::R);
-    store<D>(fits[n].B, r + O::B);
+    store<D>(fits[n].rotation(), r + O::R);
+    store<D>(fits[n].back(), r + O::T);
   }
 }
 
@@ -244,15 +256,20 @@ template <int D> void TMSPHOpenings::finish(const TMSPHBondState &s)
 {
   using O = OpenRow<D>;
   auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
-  gather<D>(s);
+  if (!gathered) gather<D>(s);    // bonds began to open
   energy.resize(open.size());
   make_rows(O::WIDTH);
   for (size_t n = 0; n < open.size(); n++) {
     const int i = open[n];
     OpenFit<D> &fit = fits[n];
-    std::visit([&fit](auto elastic) { fit.evaluate(elastic); }, s.on.law);
+    std::visit(
+        [&fit](auto elastic) {
+          fit.respond(elastic);
+          fit.complete(elastic);
+        },
+        s.on.law);
     store<D>(fit.B_turning, s.force_row + (size_t) i * Rows<D>::FORCE);
-    store<D>(fit.rotation, rows[i] + O::R);
+    store<D>(fit.rotation(), rows[i] + O::R);
     store<D>(fit.seen, s.gradient + (size_t) i * D * D);    // faces are carried along by it
     energy[n] = {i, fit.energy};
     double opened = 0.0;

@@ -20,8 +20,8 @@
 #include "fix_tmsph_bond.h"
 #include "pointers.h"
 #include "tmsph_ghost_rows.h"
-#include "tmsph_open_bond.h"
 #include "tmsph_opening_balance.h"
+#include "tmsph_opening_update.h"
 #include "tmsph_own_side.h"
 
 #include <tuple>
@@ -88,7 +88,9 @@ class TMSPHOpenings : protected Pointers {
   bool near(int i) const { return rows[i][near_column] != 0.0; }
   /// adds what the fits of both ends leave over of bond (i, j) to its mean stress
   template <int D> void add_residual(int i, int j, double *stress) const;
-  /** Bond k of local particle i begins to open across a stress.
+  /// bond (i, j) lies across the crack that a stress opens, not along its faces
+  bool crosses(int i, int j, const double *stress) const;
+  /** Bond k of local particle i begins to open across a stress; it crosses that crack.
       @param strength t0
       @param energy   of the crack per area, G_f, with the calibration of the method in it */
   template <int D>
@@ -127,9 +129,10 @@ class TMSPHOpenings : protected Pointers {
   std::vector<int> open;    // local particles with openings, ascending
   bool any = false;
   std::tuple<std::vector<TMSPH::OpenFit<2>>, std::vector<TMSPH::OpenFit<3>>> fits_of;
+  bool gathered = false;    // they are those of the open bonds of now
   std::vector<Energy> energy;
   TMSPHGhostRows rows;
-  int near_column = 0, candidate_column = 0;
+  int near_column = 0;
   const double *kinematic = nullptr;    // of the last exchange(),
   bool heated = false;                  // where it has thermal bonds
   TMSPHOpeningBalance account;
@@ -153,9 +156,8 @@ class TMSPHOpenings : protected Pointers {
   /// rows of particles with openings after their fits
   template <int D> void fill_open_rows(const TMSPHBondState &);
   template <int D> void follow_laws(const TMSPHBondState &, bool search);
-  template <int D> double update_once(bool search, bool decides);
-  void decide_leaving(int i, int j, TMSPH::OpenBond &);
-  double taken_by(const TMSPH::OpenBond &) const;
+  template <int D> std::vector<TMSPH::FollowedBond<D>> followed_bonds();
+  template <int D> void decide_leaving(int i, int j, TMSPH::OpenBond &);
   template <int D> void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);
 };
 

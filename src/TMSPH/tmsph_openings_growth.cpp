@@ -7,7 +7,9 @@
 #include "tmsph_openings.h"
 
 #include "atom.h"
+#include "domain.h"
 #include "tmsph_open_row.h"
+#include "tmsph_opening_update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,13 +43,15 @@ constexpr int MOST_SWEEPS = 30;
 // in a search for equilibrium, whose forces are to be a derivative; less than the residual, in the
 // same unit, with which tmsph/quasistatic ends one
 
-constexpr double CLOSE_IN_SEARCH = 1.0e-6;
+constexpr double CLOSE_IN_SEARCH = 1.0e-5;
 constexpr int MOST_IN_SEARCH = 300;
 
-// Changes of openings are found with so much more than the least stiffness with which no update
-// gains energy: with that the stiffest change swings about its end for ever
+// Changes of openings are found with so much more than half of the second derivative, with which no
+// update from where it is gains energy. Updates that build on each other are stable with 3/2 of it:
+// a mode of curvature l swings out where the step is longer than (2 + 2 b)/(1 + 2 b)/l with the
+// momentum b, up to 1. A tenth more for what the bound leaves out
 
-constexpr double SURELY = 1.2;
+constexpr double SURELY = 1.65;
 
 // opened by this part of the end of the law a bond is fully open
 
@@ -83,17 +87,35 @@ template <int D> [[gnu::noinline]] Column<D> pulled_direction(const double *stre
   return eigen.eigenvectors().col(D - 1);
 }
 
-/// of both ends of a bond, each as it sees the bond
-/// @param mine, his rows of this end and of the other
+/// energy that an opening took
+double taken_by(const CohesiveLaw &law, const OpenBond &b)
+{
+  return b.area * std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
+}
+
+/// N of the crack that a stress opens across bond (i, j), N.X > 0, in the material; 0 along its faces
 template <int D>
-std::pair<Column<D>, Column<D>> end_tractions(const double *mine, const double *his,
-                                              const FitBond<D> &seen, const OpenBond &b)
+Column<D> crack_normal(const FixTMSPHBond &bonds, const TMSPHGhostRows &rows, int i, int j,
+                       const double *stress)
 {
   using O = OpenRow<D>;
-  const Eigen::Map<const Column<D>> c(b.jump), e(b.uneven);
-  return {
-      end_traction<D>(mine + O::R, mine + O::B, mine[O::CHI], seen.X, seen.u, c + e, seen.weight),
-      end_traction<D>(his + O::R, his + O::B, his[O::CHI], -seen.X, -seen.u, e - c, seen.weight)};
+  const Column<D> n = pulled_direction<D>(stress);
+  const auto back = [&](int p) {    // what of the body is seen in the material
+    const double *const r = rows[p];
+    const SquareMatrix<D> R = r[O::LEAST] > 0.0
+        ? row_major<D>(r + O::R)
+        : Polar<D>(SquareMatrix<D>::Identity() + row_major<D>(r + O::H)).rotation;
+    return Column<D>(R.transpose() * n);
+  };
+  const Column<D> one = back(i), other = back(j), N = (one + other).normalized();
+  double X[3], along = 0.0, square = 0.0;
+  bonds.reference_vector(i, j, X);
+  for (int a = 0; a < D; a++) {
+    along += N[a] * X[a];
+    square += X[a] * X[a];
+  }
+  if (!(std::fabs(along) > SMALLEST_COSINE * std::sqrt(square))) return Column<D>::Zero();
+  return along > 0.0 ? N : -N;
 }
 
 }    // namespace
@@ -106,7 +128,6 @@ template <int D> void TMSPHOpenings::exchange(const TMSPHBondState &s, const cha
   using R = Rows<D>;
   make_rows(O::WIDTH);
   near_column = O::NEAR;
-  candidate_column = O::CANDIDATE;
   kinematic = s.kinematic;
   heated = s.on.thermal == ThermalStrain::BOND;
   const double *const own_side = s.own_side ? s.own_side->gradients() : nullptr,
@@ -224,32 +245,26 @@ template <int D> void TMSPHOpenings::add_residual(int i, int j, double *stress) 
 
 /* ---------------------------------------------------------------------- */
 
+/* ---------------------------------------------------------------------- */
+
+bool TMSPHOpenings::crosses(int i, int j, const double *stress) const
+{
+  return domain->dimension == 2 ? !crack_normal<2>(bonds, rows, i, j, stress).isZero()
+                                : !crack_normal<3>(bonds, rows, i, j, stress).isZero();
+}
+
+/* ---------------------------------------------------------------------- */
+
 template <int D>
 void TMSPHOpenings::begin(int i, int k, int j, const double *stress, double strength,
                           double crack_energy)
 {
-  using O = OpenRow<D>;
-  const Column<D> n = pulled_direction<D>(stress);
-  const auto back = [&](int p) {    // what of the body is seen in the material
-    const double *const r = rows[p];
-    const SquareMatrix<D> R = r[O::LEAST] > 0.0
-        ? row_major<D>(r + O::R)
-        : Polar<D>(SquareMatrix<D>::Identity() + row_major<D>(r + O::H)).rotation;
-    return Column<D>(R.transpose() * n);
-  };
-  const Column<D> one = back(i), other = back(j), N = (one + other).normalized();
-  double X[3], along = 0.0, square = 0.0;
-  bonds.reference_vector(i, j, X);
-  for (int a = 0; a < D; a++) {
-    along += N[a] * X[a];
-    square += X[a] * X[a];
-  }
-  if (!(std::fabs(along) > SMALLEST_COSINE * std::sqrt(square))) return;
+  const Column<D> N = crack_normal<D>(bonds, rows, i, j, stress);
   OpenBond b;
   b.opening.strength = strength;
   b.opening.end = std::visit(
       [&](auto one) { return crack_energy / (decltype(one)::area(1.0) * strength); }, law);
-  for (int a = 0; a < D; a++) b.normal[a] = along > 0.0 ? N[a] : -N[a];
+  std::copy_n(N.data(), D, b.normal);
   std::copy_n(reinterpret_cast<double *>(&b), OPEN_BOND_SIZE, values.insert(i, k, atom->nmax));
 }
 
@@ -316,81 +331,98 @@ template <int D> void TMSPHOpenings::relax(TMSPHBondState s)
 template <int D> void TMSPHOpenings::follow_laws(const TMSPHBondState &s, bool search)
 {
   using O = OpenRow<D>;
+  auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
+  auto followed = followed_bonds<D>();
+  const auto energy_of_openings = [this] {
+    const auto sum = figures();
+    return sum[TMSPHOpeningBalance::DISSIPATED] + sum[TMSPHOpeningBalance::STORED];
+  };
+  account.rise_by(-energy_of_openings());
   const double close = search ? CLOSE_IN_SEARCH : CLOSE_TO_LAW;
   const int most = search ? MOST_IN_SEARCH : MOST_SWEEPS;
   for (int sweep = 0; sweep < most; sweep++) {
     if (sweep) {
-      fill_open_rows<D>(s);
-      ghosts.send(rows, O::H, O::LEAST - O::H);
+      for (size_t n = 0; n < open.size(); n++) {
+        OpenFit<D> &fit = fits[n];
+        std::visit([&fit](auto elastic) { fit.respond(elastic); }, s.on.law);
+        store<D>(fit.back(), rows[open[n]] + O::T);
+      }
+      ghosts.send(rows, O::T, D * D);
     }
-    const double mine = update_once<D>(search, sweep == 0);
-    take_jumps<D>();
-    evaluate<D>(s);
-    double largest;
+    double mine = 0.0, largest;
+    std::visit(
+        [&](auto one) {
+          auto b = followed.begin();
+          for (size_t n = 0; n < open.size(); n++) {
+            const double *const T = rows[open[n]] + O::T;
+            SquareMatrix<D> jumps = SquareMatrix<D>::Zero();
+            for (; b != followed.end() && b->fit == (int) n; b++) {
+              mine = std::max(mine, b->update(one, T, rows[b->partner] + O::T));
+              jumps += b->weight * b->jump() * b->X.transpose();
+            }
+            fits[n].jumps = jumps;
+          }
+        },
+        law);
     MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
-    if (largest <= close) break;
+    if (largest <= close * close) break;
   }
+  if (!search)
+    for (FollowedBond<D> &b : followed) decide_leaving<D>(open[b.fit], b.partner, *b.bond);
+  account.rise_by(energy_of_openings());
+  account.end_update();
+  take_jumps<D>();
+  evaluate<D>(s);
+  fill_open_rows<D>(s);
+  if (!search) ghosts.send(rows, O::H, D * D);
 }
 
 /* ----------------------------------------------------------------------
-   @param search  for equilibrium, from the openings before it
-   @param decides which bonds leave the fit next, if it is none
-   @return        the largest change of a traction over the strength
+   from the rows of both ends
 ------------------------------------------------------------------------- */
 
-template <int D> double TMSPHOpenings::update_once(bool search, bool decides)
+template <int D> std::vector<FollowedBond<D>> TMSPHOpenings::followed_bonds()
 {
   using O = OpenRow<D>;
-  double largest = 0.0;
-  auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
+  std::vector<FollowedBond<D>> all;
+  const auto &fits = std::get<std::vector<OpenFit<D>>>(fits_of);
   for (size_t n = 0; n < open.size(); n++)
     for (const FitBond<D> &seen : fits[n].bonds) {
       if (!seen.open()) continue;
-      OpenBond &b = bond(open[n], seen.number);
       const double *const mine = rows[open[n]], *const his = rows[seen.partner];
-      const auto [own, other] = end_tractions<D>(mine, his, seen, b);
-      const double stiffness = SURELY *
+      FollowedBond<D> one;
+      one.bond = &bond(open[n], seen.number);
+      one.fit = n;
+      one.partner = seen.partner;
+      one.X = seen.X;
+      one.mine = turned_back<D>(mine + O::R, seen.u);
+      one.his = turned_back<D>(his + O::R, -seen.u);
+      one.weight = seen.weight;
+      one.chi_mine = mine[O::CHI];
+      one.chi_his = his[O::CHI];
+      one.stiffness = SURELY *
           opening_stiffness(seen.weight, 0.5 * (mine[O::MODULUS] + his[O::MODULUS]),
                             bonds.interior_kappa(),
                             std::min(1.0, std::min(mine[O::LEAST], his[O::LEAST])),
-                            0.5 * (mine[O::CHI] + his[O::CHI]), b.area);
-      const Column<D> together = own - other, apart = own + other;
-      std::visit(
-          [&](auto one) {
-            const auto total = [&] {
-              return stored_energy(one, b.opening) + dissipated_energy(one, b.opening);
-            };
-            account.rise_by(-0.5 * b.area * total());
-            if (search) b.opening.most = b.settled;
-            const double way = std::max(open_further<D>(one, b, together, stiffness),
-                                        even_out<D>(b, apart, stiffness));
-            largest = std::max(largest, stiffness * way / b.opening.strength);
-            account.rise_by(0.5 * b.area * total());
-          },
-          law);
-      if (decides && !search) decide_leaving(open[n], seen.partner, b);
+                            0.5 * (mine[O::CHI] + his[O::CHI]), one.bond->area);
+      std::copy_n(one.bond->jump, D, one.c.data());
+      std::copy_n(one.bond->uneven, D, one.e.data());
+      all.push_back(one);
     }
-  account.end_update();
-  return largest;
-}
-
-/* ---------------------------------------------------------------------- */
-
-double TMSPHOpenings::taken_by(const OpenBond &b) const
-{
-  return b.area * std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
+  return all;
 }
 
 /* ----------------------------------------------------------------------
    both ends see the same candidates and decide alike
 ------------------------------------------------------------------------- */
 
-void TMSPHOpenings::decide_leaving(int i, int j, OpenBond &b)
+template <int D> void TMSPHOpenings::decide_leaving(int i, int j, OpenBond &b)
 {
-  const double *const mine = rows[i] + candidate_column, *const his = rows[j] + candidate_column;
+  using O = OpenRow<D>;
+  const double *const mine = rows[i] + O::CANDIDATE, *const his = rows[j] + O::CANDIDATE;
   b.patience = std::max(0.0, b.patience - 1.0);
   if (ubuf(mine[0]).i != (bigint) atom->tag[j] || ubuf(his[0]).i != (bigint) atom->tag[i]) return;
-  if (mine[1] + his[1] <= MOST_GAIN * taken_by(b)) {
+  if (mine[1] + his[1] <= MOST_GAIN * taken_by(law, b)) {
     b.leaves = 1.0;
     account.leave(mine[1]);
   } else
@@ -406,7 +438,7 @@ std::vector<TMSPHOpenings::Leaving> TMSPHOpenings::leaving()
     for (int m = values.count(i) - 1; m >= 0; m--)
       if (bond(i, m).leaves != 0.0) {
         const OpenBond &b = bond(i, m);
-        const double taken = taken_by(b);
+        const double taken = taken_by(law, b);
         all.push_back({i, values.place(i, m), taken});
         account.finish(0.5 * taken, 0.5 * b.area);
       }
