@@ -173,9 +173,7 @@ template <int D> void ends_pull_alike(bool pressed, bool moving_on = false)
       followed.e = e;
     }
     const double now = evaluate(followed.c, followed.e);
-    if (!moving_on) {
-      ASSERT_LE(now, before + 1.0e-14 * std::fabs(before)) << n;
-    }
+    if (!moving_on) { ASSERT_LE(now, before + 1.0e-14 * std::fabs(before)) << n; }
     before = now;
   }
   EXPECT_LT(evaluate(c, e), start);
