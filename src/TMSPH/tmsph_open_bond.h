@@ -14,7 +14,7 @@
    The faces of a crack go their own ways, and where they turn apart the jump
    that continues the gradient of one end is not that of the other. So the ends
    see two jumps. Their mean c = c_ij = -c_ji is what opens, against the cohesive
-   traction; half of their difference, e = e_ij = e_ji, takes no energy and is
+   traction, along the normal of the crack until nothing holds it; half of their difference, e = e_ij = e_ji, takes no energy and is
    where both ends pull alike.
 
    U_i knows no direction of space: turning the body changes nothing, and the

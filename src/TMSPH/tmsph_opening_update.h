@@ -72,20 +72,24 @@ template <int D> struct FollowedBond {
   }
 
  private:
-  /** The energy of what both ends see alike depends on the size of the opening alone, so that it
-      goes where the pull does; faces that are pressed together slide. */
+  /** Along the normal of the crack, as long as the faces hold each other: if each bond could slide,
+      oblique ones would give way to stress along the faces, and all under pressure. Without traction
+      they go wherever they want but into each other. */
   template <class Law> Column<D> opened(Law law, const Column<D> &pull)
   {
     const Eigen::Map<const Column<D>> normal(bond->normal);
-    const double k = stiffness_of_update(law, bond->opening, stiffness);
-    Column<D> q = pull + k * c;
-    const double across = q.dot(normal);
-    if (across < 0.0) q -= across * normal;
-    const double size = q.norm();
-    bond->opening.most = bond->settled;
-    TMSPH::update(law, bond->opening, size, k);
-    if (!(bond->opening.now > 0.0)) return Column<D>::Zero();
-    return bond->opening.now / size * q;
+    Opening &opening = bond->opening;
+    opening.most = bond->settled;
+    if (opening.most < opening.end) {
+      const double k = stiffness_of_update(law, opening, stiffness);
+      TMSPH::update(law, opening, (pull + k * c).dot(normal), k);
+      return opening.now * normal;
+    }
+    Column<D> free = c + pull / stiffness;
+    free -= std::min(0.0, free.dot(normal)) * normal;
+    opening.now = free.norm();
+    opening.most = std::max(opening.most, opening.now);
+    return free;
   }
 
   /** Where the opening is tried next: further on its way, the further the longer it went on

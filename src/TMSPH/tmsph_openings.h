@@ -156,6 +156,7 @@ class TMSPHOpenings : protected Pointers {
   /// rows of particles with openings after their fits
   template <int D> void fill_open_rows(const TMSPHBondState &);
   template <int D> void follow_laws(const TMSPHBondState &, bool search);
+  template <int D> void sum_normals(int i, double *sum) const;
   template <int D> std::vector<TMSPH::FollowedBond<D>> followed_bonds();
   template <int D> void decide_leaving(int i, int j, TMSPH::OpenBond &);
   template <int D> void find_candidate(int i, const TMSPH::OpenFit<D> &, const TMSPH::ElasticLaw &);

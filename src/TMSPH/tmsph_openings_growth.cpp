@@ -93,6 +93,15 @@ double taken_by(const CohesiveLaw &law, const OpenBond &b)
   return b.area * std::visit([&](auto one) { return dissipated_energy(one, b.opening); }, law);
 }
 
+/// N or -N, that with N.X > 0; 0 if X lies along the faces
+template <int D> Column<D> towards(const Column<D> &N, const double *X)
+{
+  const Eigen::Map<const Column<D>> along(X);
+  const double cosine = N.dot(along) / along.norm();
+  if (!(std::fabs(cosine) > SMALLEST_COSINE)) return Column<D>::Zero();
+  return cosine > 0.0 ? N : -N;
+}
+
 /// N of the crack that a stress opens across bond (i, j), N.X > 0, in the material; 0 along its faces
 template <int D>
 Column<D> crack_normal(const FixTMSPHBond &bonds, const TMSPHGhostRows &rows, int i, int j,
@@ -108,14 +117,9 @@ Column<D> crack_normal(const FixTMSPHBond &bonds, const TMSPHGhostRows &rows, in
     return Column<D>(R.transpose() * n);
   };
   const Column<D> one = back(i), other = back(j), N = (one + other).normalized();
-  double X[3], along = 0.0, square = 0.0;
+  double X[3];
   bonds.reference_vector(i, j, X);
-  for (int a = 0; a < D; a++) {
-    along += N[a] * X[a];
-    square += X[a] * X[a];
-  }
-  if (!(std::fabs(along) > SMALLEST_COSINE * std::sqrt(square))) return Column<D>::Zero();
-  return along > 0.0 ? N : -N;
+  return towards<D>(N, X);
 }
 
 }    // namespace
@@ -269,6 +273,30 @@ void TMSPHOpenings::begin(int i, int k, int j, const double *stress, double stre
 }
 
 /* ----------------------------------------------------------------------
+   Of the crack that bonds open together. The direction that one bond is pulled in follows the bond
+   itself: its residual, and the end that is nearer to the tip. So oblique ones would count too much
+   area, N.X, and slide where the faces are pressed together. All that are open at both ends have a
+   say in the normal of those that begin, as much as they have area.
+------------------------------------------------------------------------- */
+
+template <int D> void TMSPHOpenings::sum_normals(int i, double *sum) const
+{
+  std::fill_n(sum, SYMMETRIC<D>, 0.0);
+  for (int m = 0; m < values.count(i); m++) {
+    const double *const N = bond(i, m).normal;
+    double X[3], along = 0.0;
+    const int j = bonds.partner_index(i, values.place(i, m));
+    bonds.reference_vector(i, j, X);
+    for (int a = 0; a < D; a++) along += N[a] * X[a];
+    along *= bonds.weight(i, j);
+    for (int a = 0, n = D; a < D; a++) {
+      sum[a] += along * N[a] * N[a];
+      for (int b = a + 1; b < D; b++) sum[n++] += along * N[a] * N[b];
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
    A = W N.(V_i K_i^-1 + V_j K_j^-1) X with the shapes of before anything opened
 ------------------------------------------------------------------------- */
 
@@ -282,19 +310,25 @@ template <int D> void TMSPHOpenings::complete(const TMSPHBondState &s)
         shapes[i][n] = s.slices.constants<D>(i)[TMSPH::LANES * n];
   }
   list_open();
-  for (const int i : open)
+  for (const int i : open) {
     for (int a = 0, n = 0; a < D; a++)
       for (int b = a; b < D; b++)
         rows[i][O::R + D * a + b] = rows[i][O::R + D * b + a] = atom->vfrac[i] * shapes[i][n++];
-  ghosts.send(rows, O::R, D * D);
+    sum_normals<D>(i, rows[i] + O::T);
+  }
+  ghosts.send(rows, O::R, 2 * D * D);
   for (const int i : open)
     for (int m = 0; m < values.count(i); m++) {
       OpenBond &one = bond(i, m);
       if (one.area > 0.0) continue;
       const int j = bonds.partner_index(i, values.place(i, m));
-      const double W = bonds.weight(i, j);
-      double X[3], across = 0.0, along = 0.0;
+      double X[3], sum[6];
       bonds.reference_vector(i, j, X);
+      for (int n = 0; n < SYMMETRIC<D>; n++) sum[n] = rows[i][O::T + n] + rows[j][O::T + n];
+      const Column<D> N = towards<D>(pulled_direction<D>(sum), X);
+      if (!N.isZero()) std::copy_n(N.data(), D, one.normal);
+      const double W = bonds.weight(i, j);
+      double across = 0.0, along = 0.0;
       for (int a = 0; a < D; a++) {
         along += one.normal[a] * X[a];
         for (int b = 0; b < D; b++)
@@ -424,7 +458,7 @@ template <int D> void TMSPHOpenings::decide_leaving(int i, int j, OpenBond &b)
   if (ubuf(mine[0]).i != (bigint) atom->tag[j] || ubuf(his[0]).i != (bigint) atom->tag[i]) return;
   if (mine[1] + his[1] <= MOST_GAIN * taken_by(law, b)) {
     b.leaves = 1.0;
-    account.leave(mine[1]);
+    account.leave(0.5 * (mine[1] + his[1]));    // of the bond, half at each end
   } else
     b.patience = PATIENCE;
 }
