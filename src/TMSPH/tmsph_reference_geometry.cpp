@@ -25,11 +25,18 @@ void TMSPHReferenceGeometry::reference_vector(int i, int j, double *X) const
   const Atom *const atom = lammps->atom;
   // from the lower id to the higher, so that both ends round alike
   const bool upward = atom->tag[i] < atom->tag[j];
-  const double *from = atom->x0[upward ? i : j], *to = atom->x0[upward ? j : i];
+  reference_vector(atom->x0[upward ? i : j], atom->x0[upward ? j : i], X);
+  if (!upward)
+    for (int k = 0; k < 3; k++) X[k] = -X[k];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void TMSPHReferenceGeometry::reference_vector(const double *from, const double *to, double *X) const
+{
   for (int k = 0; k < 3; k++) {
-    double d = to[k] - from[k];
-    if (period[k] > 0.0) d -= period[k] * std::round(d / period[k]);
-    X[k] = upward ? d : -d;
+    X[k] = to[k] - from[k];
+    if (period[k] > 0.0) X[k] -= period[k] * std::round(X[k] / period[k]);
   }
 }
 

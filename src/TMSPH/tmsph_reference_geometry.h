@@ -29,6 +29,8 @@ class TMSPHReferenceGeometry {
   double reference_period(int k) const { return period[k]; }
   /// X_j - X_i, the nearest image, the same to the last bit (but for sign) from both ends
   void reference_vector(int i, int j, double *X) const;
+  /// the same of two reference positions as particles store them
+  void reference_vector(const double *from, const double *to, double *X) const;
   double reference_distance(int i, int j) const;
   /// V_j W_ij, the part of j in a mean at i; that of i itself with j = i
   double kernel_mass(int i, int j, double horizon) const;

@@ -38,11 +38,12 @@ def head(dimension, more=""):
 WATCH = """compute p all tmsph/property/atom ux uy temperature damage nbond sxx syy sxy s1 \
 vonmises radius
 compute c all tmsph/crack
+compute tip all tmsph/crack/tip 1 0.5 0 open 0.5 cut yes window 5
 compute d all tmsph/dt
 compute b all tmsph/bond/local id1 id2 state length stretch only all
 dump f all custom 2 out.dump id type x y z vx vy c_p[*]
 dump l all local 5 out.bonds index c_b[*]
-thermo_style custom step temp pe press c_c[1] c_d
+thermo_style custom step temp pe press c_c[1] c_d c_tip[5]
 thermo 2
 """
 

@@ -52,6 +52,7 @@ WALL = "fix wall all tmsph/wall "
 LINE = WALL + "line 0 -9e-3 1 -9e-3 "
 ELASTIC = "pair_coeff 1 1 elastic "
 QUASI = "tmsph/quasistatic "
+TIP = "compute tip all tmsph/crack/tip "
 MINIMIZE = "\nminimize 0 1e-3 10 100"
 CHANGED = "after particles were created, deleted or displaced|run 0"
 
@@ -182,6 +183,7 @@ CASES = [
     (PLATE, dict(more="compute p all tmsph/property/atom sxx",
                  run="write_dump all custom out.dump id c_p"), "ID p|before|run"),
     (PLATE, dict(more="compute c all tmsph/crack\nvariable c equal c_c[1]", run="print $c"), "run"),
+    (PLATE, dict(more=TIP + "x", run="print $(c_tip[1])"), "tmsph/crack/tip|do a run first"),
     (PLATE, dict(more="compute d all tmsph/dt\nvariable d equal c_d", run="print $d"), "run"),
     (PLATE, dict(more="compute b all tmsph/bond/local id1 id2",
                  run="write_dump all local out.local c_b[1]"), "run"),
@@ -501,6 +503,25 @@ CASES = [
     (PLATE, {"style": "atom_style atomic", "volume": "mass * 1", "pair": "", "coeff": "",
              "break": "", "more": LINE}, "tmsph/wall|atom_style tmsph"),
     (PLATE, dict(more="compute c all tmsph/crack 5"), "5|tmsph/crack|none"),
+    (PLATE, dict(more=TIP), "tmsph/crack/tip direction|missing"),
+    (PLATE, dict(more=TIP + "up"), "up|tmsph/crack/tip|use x, -x"),
+    (PLATE, dict(more=TIP + "1 0"), "tmsph/crack/tip direction|missing"),
+    (PLATE, dict(more=TIP + "1 0 up"), "floating point|tmsph/crack/tip|up"),
+    (PLATE, dict(more=TIP + "0 0 0"), "tmsph/crack/tip direction 0 0 0|length"),
+    (PLATE, dict(more=TIP + "inf 0 0"), "tmsph/crack/tip direction inf 0 0|length"),
+    (PLATE, dict(more=TIP + "z"), "tmsph/crack/tip direction 0 0 1|plane|z must be 0"),
+    (PLATE, dict(more=TIP + "x part 1"), "part|tmsph/crack/tip|use open"),
+    (PLATE, dict(more=TIP + "x open"), "tmsph/crack/tip open|missing"),
+    (PLATE, dict(more=TIP + "x open 0"), "tmsph/crack/tip open 0|above 0"),
+    (PLATE, dict(more=TIP + "x open 1.5"), "tmsph/crack/tip open 1.5|at most 1"),
+    (PLATE, dict(more=TIP + "x cut maybe"), "boolean|maybe"),
+    (PLATE, dict(more=TIP + "x window 1"), "tmsph/crack/tip window 1|small|2 to 100000"),
+    (PLATE, dict(more=TIP + "x window 1000000"), "tmsph/crack/tip window 1000000|large"),
+    (PLATE, dict(more=TIP + "x window ten"), "integer|tmsph/crack/tip window|ten"),
+    (PLATE, dict(style="atom_style tmsph\n" + TIP + "x"),
+     "tmsph/crack/tip before the simulation box"),
+    (PLATE, {"pair": "", "coeff": "", "break": "", "more": TIP + "x"},
+     "tmsph/crack/tip needs pair style tmsph"),
     (PLATE, dict(more="compute d all tmsph/dt 5"), "5|tmsph/dt|none"),
     (PLATE, dict(more="compute b all tmsph/bond/local"), "tmsph/bond/local|missing"),
     (PLATE, dict(more="compute b all tmsph/bond/local id1 age"), "age|use id1"),

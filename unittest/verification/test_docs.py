@@ -57,6 +57,7 @@ WORDS = {
     "compute_tmsph_property_atom": {2: ["compute 1 all tmsph/property/atom ?"]},
     "compute_tmsph_bond_local": {2: [f"compute 1 all tmsph/bond/local {word}?"
                                      for word in ("", "only ")]},
+    "compute_tmsph_crack_tip": {2: [f"compute 1 all tmsph/crack/tip {word}?" for word in ("", "x ")]},
     "tmsph_cut": {2: ["tmsph/cut all ?"], 3: ["tmsph/cut all ?"]},
     "tmsph_relax": {2: ["tmsph/relax all ?"], 3: ["tmsph/relax all ?"]},
     "tmsph_quasistatic": {2: ["tmsph/quasistatic 1 ?"]},

@@ -23,7 +23,7 @@ class Plate:
                         + "\ninclude in.kalthoff", {"in.kalthoff": EXAMPLE.read_text()})
         run = script.run(keep="crack.txt")
         columns = np.loadtxt(run.kept["crack.txt"].decode().splitlines(), skiprows=1)
-        step, self.time, self.bonds, self.energy, self.area, self.length, self.angle = columns.T
+        step, self.time, self.bonds, self.energy, self.area, self.length, self.angle, self.speed = columns.T
 
     def judge(self, report, what):
         report.within(f"{what}: angle of the crack", self.angle[-1], 62, 75)
