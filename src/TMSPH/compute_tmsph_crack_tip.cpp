@@ -28,6 +28,7 @@ using namespace LAMMPS_NS;
 
 static constexpr int N = 6;        // position, distance, speed, part
 static constexpr int WORDS = 5;    // numbers that stand for the words of the input
+static constexpr double GRID = 1 << 20;
 static constexpr int MOST_EVALUATIONS = 100000;
 static constexpr double ROUNDED = 1.01;    // no bond is longer than the horizon but for this
 
@@ -253,7 +254,9 @@ double ComputeTMSPHCrackTip::find_speed(const Tip &tip)
 {
   double &stored = store->vstore[WORDS];
   double *const time = &stored + 1, *const distance = time + window;
-  const double now = update->atime + (update->ntimestep - update->atimestep) * update->dt;
+  // in parts of a step: the same bits however runs and restart files divide the time
+  const double sum = update->atime + (update->ntimestep - update->atimestep) * update->dt;
+  const double now = std::round(sum / update->dt * GRID) / GRID * update->dt;
   const double rounding = 1e-3 * update->dt;    // between two runs, of the time
   int n = (int) stored;
   if (tip.part == 0.0 || (n && time[n - 1] > now + rounding)) n = 0;
