@@ -27,8 +27,8 @@ class TMSPHOpeningRule : protected Pointers {
   /// in the init of a fix, which sends, after that of the rocks
   void init(PairTMSPH &, TMSPHGhostSender &);
   /** Limits of the method, when spacings are known: an error beyond them.
-      @param style of the fix, to be named */
-  void check(const std::string &style) const;
+      @param style of the fix, to be named (collective) */
+  void check(const std::string &style);
   /// nullptr where all bonds break at once
   TMSPHOpenings *openings() const { return opening.get(); }
   /// doubles per particle that are sent at most
@@ -68,11 +68,13 @@ class TMSPHOpeningRule : protected Pointers {
   FixTMSPHBond *bonds = nullptr;
   std::unique_ptr<TMSPHOpenings> opening;    // with energy or toughness
   TMSPHOpeningBalance::Figures before{};     // from a restart file
+  std::vector<double> imbalance;             // of the types, since the first check
   TMSPHBondWatch damage_watch;
   std::vector<char> damaged, watched;    // of local particles: bonds are gone; looked at
   bool began = false;                    // here, in this test
   bool looking = false;                  // at bonds that may open, on some processor
 
+  void check_horizon(const std::string &style, int type) const;
   void check_length(int type, int other) const;
   bool may_open(int i, const double *row) const;
 };
