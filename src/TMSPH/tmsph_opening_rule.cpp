@@ -97,7 +97,7 @@ void TMSPHOpeningRule::check(const std::string &style)
     if (imbalance[type] > IRREGULAR)    // the nearest particles do not tell the spacing then
       pair->warn_once(fmt::format(
           "Particles of type {} lie irregularly: an even stress leaves forces of {:.2g} of it "
-          "between them, and cracks take the given energy at {} or less. Spread them by "
+          "between them, above {} their stresses are too inexact for cracks. Spread them by "
           "'tmsph/relax' before the first run",
           type, imbalance[type], IRREGULAR));
     else
