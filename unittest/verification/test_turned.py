@@ -242,8 +242,8 @@ def breaking(kind, turn, words="gsi 2 80"):
 
 
 def opening(kind, turn):
-    """Bonds that open, at a lower stress between the materials, and some that are gone."""
-    scene = Turned(kind, potato(turn.d, 0.0), turn, speed=3.0, heated=False)
+    """Bonds that open, at a lower stress between the materials, and some that are gone: in 3-D that takes more."""
+    scene = Turned(kind, potato(turn.d, 0.0), turn, speed=3.0 if turn.d == 2 else 5.0, heated=False)
     scene.breaking("strength 1 130e6 strength 2 100e6 mi * 8 energy * 15 between 1 2 energy 8 strength 8e6")
     scene.add(f"fix move all nve\n{STEP}\nrun 0")
     return scene.moving().finish("run 100")
