@@ -194,6 +194,7 @@ bool FixTMSPHBreak::softening(Due &bond, bool looked)
   std::copy_n(bond.stress, 6, stress);
   const double pull = looked ? opening.pull(bond.i, j, stress) : bond.principals.largest;
   if (!opening.is_tension(pull, strength)) return false;
+  // a bond along the faces cannot open: as a load it would be due in each test for ever
   const bool wanted = pull >= strength || relative > 0.0;
   if (looked && wanted && !opening.crosses(bond.i, j, stress)) return true;
   test.largest = std::max(test.largest, pull / strength);

@@ -199,12 +199,18 @@ template <int D> struct OpenFit {
     energy = volume * Law::energy(plain<D>(H), lambda, shear, thermal) + 0.5 * chi * misfit;
   }
 
+  /// all but see(), which the displacements alone change
+  template <class Law> void react(Law law)
+  {
+    respond(law);
+    complete(law);
+  }
+
   template <class Law> void evaluate(Law law)
   {
     see();
     take_jumps();
-    respond(law);
-    complete(law);
+    react(law);
   }
 };
 

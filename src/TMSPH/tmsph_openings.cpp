@@ -183,12 +183,7 @@ template <int D> void TMSPHOpenings::evaluate(const TMSPHBondState &s)
   for (size_t n = 0; n < open.size(); n++) {
     const int i = open[n];
     OpenFit<D> &fit = fits[n];
-    std::visit(
-        [&fit](auto elastic) {
-          fit.respond(elastic);
-          fit.complete(elastic);
-        },
-        s.on.law);
+    std::visit([&fit](auto elastic) { fit.react(elastic); }, s.on.law);
     sum += fit.energy;
     if (s.force_row) store<D>(fit.B, s.force_row + (size_t) i * R::FORCE);
     if (s.gradient) store<D>(fit.H, s.gradient + (size_t) i * D * D);
@@ -262,12 +257,7 @@ template <int D> void TMSPHOpenings::finish(const TMSPHBondState &s)
   for (size_t n = 0; n < open.size(); n++) {
     const int i = open[n];
     OpenFit<D> &fit = fits[n];
-    std::visit(
-        [&fit](auto elastic) {
-          fit.respond(elastic);
-          fit.complete(elastic);
-        },
-        s.on.law);
+    std::visit([&fit](auto elastic) { fit.react(elastic); }, s.on.law);
     store<D>(fit.B_turning, s.force_row + (size_t) i * Rows<D>::FORCE);
     store<D>(fit.rotation(), rows[i] + O::R);
     store<D>(fit.seen, s.gradient + (size_t) i * D * D);    // faces are carried along by it

@@ -249,8 +249,6 @@ template <int D> void TMSPHOpenings::add_residual(int i, int j, double *stress) 
 
 /* ---------------------------------------------------------------------- */
 
-/* ---------------------------------------------------------------------- */
-
 bool TMSPHOpenings::crosses(int i, int j, const double *stress) const
 {
   return domain->dimension == 2 ? !crack_normal<2>(bonds, rows, i, j, stress).isZero()
