@@ -9,8 +9,9 @@ Kinks are judged by chords: the direction from the end of the notch to where the
 at once, so that these differ from the kink of the criterion by up to 12 degrees. Shorter chords are told without
 a bar: the end of a cut lies anywhere between two rows of particles, and half a spacing is 4 degrees at 0.2.
 
-By name only: rows, a square lattice with rows normal to the load. Its crack runs along these where the way should
-cross them under some 7 degrees, and is 5 to 6 degrees off at an inclination of 30."""
+By name only: rows, a square lattice with rows normal to the load, where chords do not reach the bar of 5 degrees at
+two inclinations. At 30 the crack runs along these rows where the way should cross them under some 7 degrees: 8
+degrees off. At 45 the cut goes through particles, which are on one of its sides: 10 degrees off at one end."""
 
 import numpy as np
 
