@@ -154,8 +154,10 @@ def example(report):
 
 
 def compare(report, *beam):
-    found = Beam(*beam)
-    what = ", ".join(str(word) for word in beam)
+    judge(report, ", ".join(str(word) for word in beam), Beam(*beam))
+
+
+def judge(report, what, found):
     report.within(f"{what}: peak/finite elements", found.peak(), 0.96, 1.04)
     branch = found.branch()
     report.within(f"{what}: lowest load behind it/finite elements", branch.min(), 0.92, 1.08)
