@@ -4,8 +4,10 @@
 PAGES = {
     "accuracy.md": "Error against run time of scenes with exact solutions, for every option",
     "peers.md": "The same against smd/tlsph, peri and bpm/spring on elastic scenes",
+    "fracture.md": "Cracks whose bonds open: energies, peaks and branches beside finite elements, paths, at any spacing",
     "costs.md": "What each feature costs: time, memory, communication, instructions",
     "stability.md": "Stiff and extreme cases, run up to failure: limits, and what happens beyond them",
+    "paper.md": "Figures and tables of Mu et al. (2022) beside ours: what agrees, what does not, why",
     "speed.md": "Speed and memory per particle and step against the same methods",
     "contact.md": "Contact and walls with friction: forces against closed forms, the disc with friction, cost",
     "heat.md": "Conduction of heat against closed forms: errors, orders, time steps, cracks",
@@ -24,7 +26,8 @@ TEXT = """\
 `./tmsph report` makes {made} and their plots from runs, in some 10 minutes on two quiet cores;
 `./tmsph report --full` takes more sizes, choices and repetitions, can be stopped and goes on where it
 was; `--only NAME` measures one study, `--list` prints their names, `--pages` only writes the pages
-anew from the data. Raw results are in [data](data), one row for each choice and size. These four pages
+anew from the data. `fracture.md` takes an hour or two and is measured by `--only fracture` or `--full`. Raw
+results are in [data](data), one row for each choice and size, or each run. These five pages
 have command and commit of the package under each table; on the others the command stands beside the
 figures. Errors are reproduced to the digits given; run times to the scatter stated, on the same machine.
 """

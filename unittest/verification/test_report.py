@@ -3,14 +3,17 @@
 data give, and that all they link to is there."""
 
 import importlib.util
+import os
 import re
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
-from reporting import accuracy, peers, plots
+from reporting import accuracy, fracture, fracture_scenes, peers, plots
+from reporting.measure import Progress, Store
 from tmsph_testing import main
 
 spec = importlib.util.spec_from_file_location("tmsph_report", ROOT / "tools" / "report.py")
@@ -40,6 +43,51 @@ def evaluation(report):
     report.true("Pareto front", stairs == [(0.5, 5), (2, 3), (4, 1)], "as by hand")
 
 
+class Interrupted(Exception):
+    pass
+
+
+def cracks(report):
+    """Runs of a table are taken once, and what was measured stands when it is stopped."""
+    taken, stop = [], [True]
+
+    def measure(judge, lattice, angle):
+        if angle == 45 and stop[0]:
+            raise Interrupted
+        taken.append(angle)
+        judge.within(f"{lattice} {angle}: peak", 1 + 0.001 * angle, 0.96, 1.04)
+        judge.below(f"{lattice} {angle}: gained by updates/dissipated", float("nan") if angle else 0, 1e-4)
+        judge.below("peaks between lattices", 1.0, 0.03)
+        return [("tmsph", 1.0, 2.0)]
+
+    table = fracture_scenes.Table(
+        "made_up", "", "", [{"lattice": "square", "angle": angle} for angle in (0, 20, 45)], measure, (Interrupted,),
+        ("peaks between lattices", "peak", ("lattice",), 0.03))
+    with tempfile.TemporaryDirectory() as folder:
+        def measured():
+            store = Store(folder, os.environ["TMSPH_LMP"])
+            fracture.measure(table, store, Progress(3), Path(folder))
+
+        def rows(name="made_up"):
+            return fracture.read(Path(folder) / f"{name}.csv")
+        try:
+            measured()
+        except Interrupted:
+            pass
+        report.true("what was measured stands", [row["angle"] for row in rows()] == ["0", "20"], "two of three runs")
+        report.true("the page says what is not measured", "Not measured: square, 45." in
+                    fracture.section(table, rows()), "one")
+        stop[0] = False
+        measured()
+        report.true("runs are taken once", taken == [0, 20, 45], f"{taken}")
+        report.true("a curve of each", len(rows("made_up_curves")) == 3, "one point")
+        text = fracture.section(table, rows())
+    for what in ("peak 0.96 to 1.04: NOT MET in 1 of 3 runs", "dissipated below 0.0001: NOT MET in 2 of 3 runs",
+                 "peaks between lattices below 0.03: NOT MET in 1 of 1 groups (lattice square: 0.045)",
+                 "| square | 45 | 1.045 | nan | peak; gained by updates/dissipated |", "| square | 0 | 1 | 0 | none |"):
+        report.true("the page says", what in text, what)
+
+
 def published(report):
     for name, text in tool.pages(tool.all_groups()).items():
         path = tool.REPORT / name
@@ -51,8 +99,9 @@ def published(report):
         report.true(f"{path.name}: links lead somewhere", not gone,
                     ", ".join(gone) or "all of them")
     names = [study.name for _, group in tool.all_groups().values() for study in group]
+    names += [fracture.NAME, *(table.name for table in fracture_scenes.tables())]
     report.true("names of studies differ", len(set(names)) == len(names), "by name")
 
 
 if __name__ == "__main__":
-    main(evaluation, published)
+    main(evaluation, cracks, published)
