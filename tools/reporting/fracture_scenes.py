@@ -73,7 +73,8 @@ def strips():
         "fracture_energy", "Energy of a crack in a strip",
         "A notched strip of 60 by 30 mm is pulled apart between grips until the crack is through: E 20 GPa, nu 0.2, "
         f"tensile strength 14.77 MPa, G 60 J/m2, characteristic length l = E G/strength^2 = {1e3 * LENGTH:.1f} mm. "
-        "Energy that the openings took, over G times the area of the crack. Beyond 0.3 l the start of a run warns. "
+        "Energy that the openings took, over G times the area of the crack. Beyond 0.3 l the start of "
+        "a run warns, and the bar does not count. "
         "3-D strips are 7 spacings thick and periodic.",
         strip_runs(), pull_strip, (test_openings, test_openings_long, relaxed))
 
@@ -124,8 +125,8 @@ def brittle():
     return Table(
         "fracture_at_once", "Breaking at once",
         "Centre-cracked plates as above, of the same strength, whose bonds break at once: no `energy`. What such a "
-        "crack takes is in proportion to the spacing, so that the peak grows with its root; it is that of the "
-        "finite elements at one spacing only.",
+        "crack takes is in proportion to the spacing, so that the peak grows with it, and is that of the finite "
+        "elements at one spacing only.",
         [{"a/l": a, "spacing/l": spacing, "lattice": f"{name} {angle}"}
          for a, spacing in ((2, 0.3), (2, 0.2), (2, 0.1), (5, 0.3), (5, 0.2))
          for name, angle in (test_cct.LATTICES[0], test_cct.LATTICES[3])],
