@@ -2,10 +2,10 @@
 """Three-point bend of a notched beam whose bonds open, examples/notch: load against the opening of the notch beside
 finite elements with a cohesive zone (cohesive_zone.py), which are held to known stress intensities and openings
 first. There is no snap-back. The notch of the finite elements is as long as that of the bonds that are cut. The bars
-are a peak within 4 % and a softening branch within 8 % of the finite elements, down to 0.3 of the peak. They are not
-met at spacings of 0.2 and 0.3 of the characteristic length: on the square lattice the peak is 11 and 18 % high, the
-branch 13 to 28 and 19 to 55 %. These run by name only: test_bend.py spacings, or lattices, rate. By
-default the elastic stiffness is held to the bar of the peak at 0.2, and what updates gain to theirs."""
+are a peak within 4 % and a softening branch within 8 % of the finite elements, down to 0.3 of the peak. Of the spacings
+of 0.3, 0.2 and 0.1 of the characteristic length the last has the peak, none the branch: on the square lattice the peak
+is 20, 12 and 4 % high, the branch 22 to 56, 11 to 26 and 3 to 11 %. These run by name only: test_bend.py spacings, or
+lattices, rate. By default the elastic stiffness is held to the bar of the peak at 0.2, and what updates gain to theirs."""
 
 import re
 from pathlib import Path
@@ -36,7 +36,8 @@ def effective_notch(X, dx):
 
 def taken(x, y, ux, dx):
     """Energy per thickness of a crack in the middle that has opened as the sides have gone apart, beyond the reach of
-    bonds across it, less their strain by the traction there; it took and holds what the linear law gives."""
+    bonds across it, less their strain by the traction there; it took and holds what the linear law gives.
+    @return nan where that strain is more than half of a full opening, which is then too small a difference"""
     near, far = HORIZON * dx, (HORIZON + 2) * dx
     heights = np.linspace(NOTCH, DEPTH - dx, 400)
     sides = []
@@ -46,6 +47,8 @@ def taken(x, y, ux, dx):
         sides.append(np.poly1d(np.polyfit(y[band][order], ux[band][order], 7))(heights))
     apart, reach = sides[1] - sides[0], near + far
     end, strain = 2 * ENERGY / TENSILE, TENSILE / ROCK["young"]
+    if reach * strain > 0.5 * end:
+        return np.nan
     opening = np.clip((apart - reach * strain) / (1 - reach * strain / end), 0, end) / end
     return ENERGY * np.trapz(1 - (1 - opening) * (1 - opening), heights)
 
@@ -163,8 +166,9 @@ def judge(report, what, found):
     report.within(f"{what}: lowest load behind it/finite elements", branch.min(), 0.92, 1.08)
     report.within(f"{what}: highest load behind it/finite elements", branch.max(), 0.92, 1.08)
     report.note(f"{what}: all", np.round(branch, 3))
-    report.within(f"{what}: energy of the crack/that of its opening",
-                  (found.energy + found.held + found.lost) / found.expected, 0.95, 1.05)
+    if np.isfinite(found.expected):
+        report.within(f"{what}: energy of the crack/that of its opening",
+                      (found.energy + found.held + found.lost) / found.expected, 0.95, 1.05)
     begins(report, what, found)
 
 
@@ -179,8 +183,6 @@ def elastic(report):
     begins(report, "0.2", beam)
     report.note("peak/finite elements", f"{beam.peak():.3f}")
     report.note("branch/finite elements", np.round(beam.branch(), 3))
-    report.note("energy of the crack/that of its opening",
-                f"{(beam.energy + beam.held + beam.lost) / beam.expected:.3f}")
 
 
 def spacings(report):
