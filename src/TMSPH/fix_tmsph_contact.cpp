@@ -171,8 +171,8 @@ void FixTMSPHContact::add_virial()
 
 /* ----------------------------------------------------------------------
    The pressure of pairs also pushes sideways in the material that it presses, which moves along
-   with its neighbors: see lateral_ratio(). It acts along the mean normal of the pairs, and is the
-   trace of their part.
+   with its neighbors: see lateral_ratio(). It acts along the mean normal of the pairs, by weights
+   that fade towards the horizon as theirs, and is the trace of their part.
 ------------------------------------------------------------------------- */
 
 void FixTMSPHContact::add_loads(std::vector<Load> &loads)
@@ -187,9 +187,13 @@ void FixTMSPHContact::add_loads(std::vector<Load> &loads)
     double reference[3] = {}, n[3] = {}, square = 0.0;
     for (int k = m.first; k < m.last; k++) {
       const TMSPHContactList::End &e = list.ends[k];
-      const PairGeometry &p = list.pairings[e.pairing].pair;
-      for (int a = 0; a < d; a++)
-        reference[a] += (e.low ? 1.0 : -1.0) * (p.normal_low[a] + p.normal_high[a]);
+      const ContactPair &p = list.pairings[e.pairing].pair;
+      const double *x = atom->x[m.i], *y = atom->x[e.j];
+      double r2 = 0.0;
+      for (int a = 0; a < d; a++) r2 += (y[a] - x[a]) * (y[a] - x[a]);
+      const double fading = std::max(0.0, 1.0 - r2 / (p.horizon * p.horizon));
+      const double weight = (e.low ? 1.0 : -1.0) * fading * fading;
+      for (int a = 0; a < d; a++) reference[a] += weight * (p.normal_low[a] + p.normal_high[a]);
     }
     for (const double one : reference) square += one * one;
     if (square > 0.0) {

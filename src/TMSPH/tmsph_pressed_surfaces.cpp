@@ -40,10 +40,17 @@ static constexpr int CONTACT_ROUNDS = 2;
 
 static constexpr int TRUSTED = 50;
 
-/// columns of a row that is sent: how forces on the outermost particles press, how contacts do, and
-/// what is to be spread over the sum of V_k W_ik; without such forces the stress of who is pressed
+/// columns of a row that is sent: how forces on the outermost particles press, the norms of the
+/// stress by contacts and by bonds, and what is to be spread over the sum of V_k W_ik; without
+/// forces on the outermost the stress of who is pressed
 namespace {
-enum { BY_SURFACE, BY_CONTACT, SPREAD };
+enum { BY_SURFACE, BY_CONTACT, BY_BONDS, SPREAD };
+}
+
+/// how much of the average is reported, by the norms of the stress of surfaces and of bonds
+static double part_of(double surface, double bonded)
+{
+  return std::min(1.0, surface / (PRESSED * (surface + bonded)));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -122,7 +129,7 @@ int TMSPHPressedSurfaces::doubles_per_ghost() const
     if (dynamic_cast<TMSPHPresses *>(fix))
       most = std::max(most,
                       reaches_outermost(fix) ? rows.columns() + ROUNDS * size
-                                             : CONTACT_ROUNDS * rows.columns());
+                                             : CONTACT_ROUNDS * (rows.columns() - BY_CONTACT));
   return most;
 }
 
@@ -142,9 +149,10 @@ static double norm(const double *s, int size)
    Forces on the outermost particles are spread with the kernel, which keeps the sum of their stress
    over volumes. All who get some, or have a partner who has, report
      S_i + p_i sum_j V_j W_ij (S_j - S_i), round after round.
-   Pairs of contact are over the horizon as they are: with the smaller of p_i and p_j for p_i, so
-   that particles which nothing presses, as those at the tip of a crack whose faces touch, keep
-   their own. Where nothing else presses only their stresses are sent, and fewer times.
+   Pairs of contact are over the horizon as they are: with p of the smaller stress by contact and
+   the larger one by bonds of i and j for p_i, so that particles which nothing presses, as those at
+   the tip of a crack whose faces touch, keep their own, and a pair that hardly presses changes
+   hardly anything, even where bonds do not either. Where nothing else presses only their stresses are sent, and fewer times.
 ------------------------------------------------------------------------- */
 
 void TMSPHPressedSurfaces::add_stress(const FixTMSPHBond &present, double *stresses)
@@ -205,7 +213,8 @@ void TMSPHPressedSurfaces::take_loads(const std::vector<TMSPHPresses::Load> &loa
     if (surface == 0.0) continue;
     double &pressed_by = rows[i][load.outermost ? BY_SURFACE : BY_CONTACT];
     if (pressed_by == 0.0) (load.outermost ? outermost : touching).push_back(i);
-    pressed_by = std::max(pressed_by, std::min(1.0, surface / (PRESSED * (surface + bonded))));
+    pressed_by = std::max(pressed_by, load.outermost ? part_of(surface, bonded) : surface);
+    if (!load.outermost) rows[i][BY_BONDS] = bonded;
     double sum = load.outermost ? 0.0 : 1.0;
     if (load.outermost) {
       const Span span = near(i);
@@ -275,7 +284,7 @@ void TMSPHPressedSurfaces::average_pairs()
   for (const int i : touching) members.push_back({i, 0.0});
   for (int round = 0; round < CONTACT_ROUNDS; round++) {
     for (const int i : touching) std::copy_n(stress + (size_t) size * i, size, rows[i] + SPREAD);
-    ghosts.send(rows, 0, rows.columns());
+    ghosts.send(rows, BY_CONTACT, rows.columns() - BY_CONTACT);
     average(rows[0] + SPREAD, rows.columns(), true);
   }
 }
@@ -293,13 +302,16 @@ void TMSPHPressedSurfaces::average(const double *stresses, int stride, bool pair
     const Member &m = members[number];
     double *change = changes.data() + number * size;
     const double *mine = stresses + (size_t) stride * m.i;
-    const double touched = pairs ? rows[m.i][BY_CONTACT] : 0.0;
+    const double *here = rows[m.i];
     if (!(mine[0] < UNBEARABLE)) continue;
     const Span span = near(m.i);
     for (int n = span.first; n < span.last; n++) {
       const Near &one = near_ones[n];
-      const double most =
-          touched == 0.0 ? m.part : std::max(m.part, std::min(touched, rows[one.j][BY_CONTACT]));
+      const double *there = rows[one.j];
+      const double touched = pairs ? std::min(here[BY_CONTACT], there[BY_CONTACT]) : 0.0;
+      const double most = touched == 0.0
+          ? m.part
+          : std::max(m.part, part_of(touched, std::max(here[BY_BONDS], there[BY_BONDS])));
       const double *his = stresses + (size_t) stride * one.j;
       if (most == 0.0 || !(his[0] < UNBEARABLE)) continue;
       const double part = most * one.mass;

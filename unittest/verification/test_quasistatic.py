@@ -201,7 +201,7 @@ def touching(report):
         keep="*.restart")
     report.above("with friction: bonds broken", len(events(run)), 2)
     # 3 stresses for breaking; 10 of contact: gradient, velocity, acceleration, can bonds balance,
-    # compliance, and 4 for couples; under its pressure 2 rounds of 3 stresses and how it presses, 2
+    # compliance, and 4 for couples; under its pressure 2 rounds of 3 stresses and 2 norms of stress
     told = re.findall(r"^  on: .*, breaking with 3 .*, contact with 14 doubles more per ghost, "
                       r"pressed surfaces with 10 ", run.log, re.M)
     report.true("with friction: the start tells what is on", len(told) == 1, str(told))
