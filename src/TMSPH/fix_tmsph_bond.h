@@ -68,6 +68,8 @@ class FixTMSPHBond :
   int size_restart(int) override;
   int maxsize_restart() override;
 
+  /// id of local particle i as the bonds know it: a former one until the next setup, where all follow
+  static tagint known_id(class LAMMPS *, int i);
   bool formed() const { return bonds_formed; }
   /// an error if particles have changed places since the last run
   void need_layout(const std::string &who) const;

@@ -10,6 +10,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "modify.h"
 #include "tmsph_restart.h"
 #include "update.h"
 
@@ -22,6 +23,14 @@ using namespace LAMMPS_NS;
 // grows when what restart files hold of this fix changes
 
 static constexpr double RESTART_FORMAT = 6.0;
+
+/* ---------------------------------------------------------------------- */
+
+tagint FixTMSPHBond::known_id(LAMMPS *lmp, int i)
+{
+  const auto bonds = dynamic_cast<const FixTMSPHBond *>(lmp->modify->get_fix_by_id(ID));
+  return bonds ? bonds->owner_tag(i) : lmp->atom->tag[i];
+}
 
 /* ---------------------------------------------------------------------- */
 

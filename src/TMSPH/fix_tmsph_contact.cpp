@@ -90,28 +90,23 @@ void FixTMSPHContact::follow(bool after_breaks)
       !(after_breaks && scene.self && scene.pair->bonds_may_break() &&
         watch.removed_anywhere(bonds, world)))
     return;
-  std::vector<TMSPHContactList::Pairing> before;    // their particles are still where they were
   std::vector<int> touched;
-  if (!anew) {
-    before = list.pairings;
-    watch.each_removal(bonds, [&touched](int i) { touched.push_back(i); });
-  }
+  if (!anew) watch.each_removal(bonds, [&touched](int i) { touched.push_back(i); });
   watch.see(bonds);
   if (outlines) {
     outlines->find();
     outlines->face();
   }
   list_pairs(anew ? nullptr : &touched);
-  if (!list.anywhere) return;
-  fits.fit(list);
-  list.find_refits(before);
+  if (list.anywhere) fits.fit(list);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTMSPHContact::list_pairs(const std::vector<int> *touched)
 {
-  maxexchange = std::max(list.make(outlines.get(), touched), TMSPHContactMemory::size(0, 0, 0, 0));
+  maxexchange =
+      1 + std::max(list.make(outlines.get(), touched), TMSPHContactMemory::size(0, 0, 0, 0));
   couples.list_anew();
 }
 

@@ -16,7 +16,6 @@ FixStyle(tmsph/contact,FixTMSPHContact);
 #define LMP_FIX_TMSPH_CONTACT_H
 
 #include "fix.h"
-#include "tmsph_bond_user.h"
 #include "tmsph_contact_couples.h"
 #include "tmsph_contact_fit.h"
 #include "tmsph_contact_forces.h"
@@ -55,7 +54,7 @@ class FixTMSPHContact :
   double compute_scalar() override;
   double compute_vector(int) override;
   double memory_usage() override;
-  bool has_ids() const override { return !memories.empty(); }
+  void follow_ids(const TMSPHPresentIds &) override;
 
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;

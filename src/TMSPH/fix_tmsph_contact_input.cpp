@@ -26,7 +26,7 @@ using namespace FixConst;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 3.0;
+static constexpr double RESTART_FORMAT = 4.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -51,8 +51,7 @@ FixTMSPHContact::FixTMSPHContact(LAMMPS *lmp, int narg, char **arg) :
   energy_global_flag = virial_global_flag = virial_peratom_flag = 1;
   thermo_virial = 1;
   restart_global = restart_peratom = 1;
-  stores_ids = 1;
-  maxexchange = TMSPHContactMemory::size(0, 0, 0, 0);
+  maxexchange = 1 + TMSPHContactMemory::size(0, 0, 0, 0);
   maxexchange_dynamic = 1;
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
@@ -146,17 +145,27 @@ void FixTMSPHContact::init()
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHContact::pack_exchange(int i, double *buf)
+void FixTMSPHContact::follow_ids(const TMSPHPresentIds &present)
 {
   list.write_back();
-  return memories.pack(atom->tag[i], buf);
+  memories.follow_ids(present, [&](TMSPHContactMemory &memory, tagint was, tagint is) {
+    memory.follow_ids(present, was, is, domain->dimension);
+  });
 }
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHContact::unpack_exchange(int nlocal, double *buf)
+int FixTMSPHContact::pack_exchange(int i, double *buf)
 {
-  return memories.unpack(atom->tag[nlocal], buf);
+  list.write_back();
+  return memories.pack(FixTMSPHBond::known_id(lmp, i), buf);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHContact::unpack_exchange(int /*nlocal*/, double *buf)
+{
+  return memories.unpack(buf);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -215,7 +224,7 @@ void FixTMSPHContact::unpack_restart(int nlocal, int nth)
 
 int FixTMSPHContact::size_restart(int i)
 {
-  return 1 + memories.size(atom->tag[i]);
+  return 1 + memories.size(FixTMSPHBond::known_id(lmp, i));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -15,7 +15,6 @@ FixStyle(tmsph/wall,FixTMSPHWall);
 #define LMP_FIX_TMSPH_WALL_H
 
 #include "fix.h"
-#include "tmsph_bond_user.h"
 #include "tmsph_contact_totals.h"
 #include "tmsph_presses.h"
 #include "tmsph_wall_candidates.h"
@@ -43,7 +42,7 @@ class FixTMSPHWall : public Fix, public TMSPHPresses, public TMSPHStoresIds {
   double compute_scalar() override;
   double compute_vector(int) override;
   double memory_usage() override;
-  bool has_ids() const override { return !memories.empty(); }
+  void follow_ids(const TMSPHPresentIds &) override;
   void add_loads(std::vector<Load> &) override;
   bool may_press() const override { return candidates.may_touch(); }
   int image(int *&, double **&) override;

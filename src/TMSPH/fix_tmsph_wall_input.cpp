@@ -10,6 +10,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_tmsph_bond.h"
 #include "force.h"
 #include "tmsph_last_force.h"
 #include "tmsph_restart.h"
@@ -25,7 +26,7 @@ using namespace TMSPH;
 
 // grows when what restart files hold of this fix changes
 
-static constexpr double RESTART_FORMAT = 3.0;
+static constexpr double RESTART_FORMAT = 4.0;
 
 /* ---------------------------------------------------------------------- */
 
@@ -47,8 +48,7 @@ FixTMSPHWall::FixTMSPHWall(LAMMPS *lmp, int narg, char **arg) :
   extvector = 0;
   energy_global_flag = 1;
   restart_global = restart_peratom = 1;
-  stores_ids = 1;
-  maxexchange = TMSPHWallMemory::MOST;
+  maxexchange = 1 + TMSPHWallMemory::MOST;
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
 }
@@ -104,16 +104,23 @@ void FixTMSPHWall::init()
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHWall::pack_exchange(int i, double *buf)
+void FixTMSPHWall::follow_ids(const TMSPHPresentIds &present)
 {
-  return memories.pack(atom->tag[i], buf);
+  memories.follow_ids(present, [](TMSPHWallMemory &, tagint, tagint) {});
 }
 
 /* ---------------------------------------------------------------------- */
 
-int FixTMSPHWall::unpack_exchange(int nlocal, double *buf)
+int FixTMSPHWall::pack_exchange(int i, double *buf)
 {
-  return memories.unpack(atom->tag[nlocal], buf);
+  return memories.pack(FixTMSPHBond::known_id(lmp, i), buf);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixTMSPHWall::unpack_exchange(int /*nlocal*/, double *buf)
+{
+  return memories.unpack(buf);
 }
 
 /* ----------------------------------------------------------------------
@@ -181,7 +188,7 @@ void FixTMSPHWall::unpack_restart(int nlocal, int nth)
 
 int FixTMSPHWall::size_restart(int i)
 {
-  return 1 + memories.size(atom->tag[i]);
+  return 1 + memories.size(FixTMSPHBond::known_id(lmp, i));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -35,14 +35,5 @@ struct TMSPHBondUser {
   ~TMSPHBondUser() = default;    // never owned through this interface
 };
 
-/** A fix that knows particles by their ids and cannot follow these. */
-struct TMSPHStoresIds {
-  /// true if it has stored any on this processor
-  virtual bool has_ids() const = 0;
-
- protected:
-  ~TMSPHStoresIds() = default;    // owned as a fix, never through this interface
-};
-
 }    // namespace LAMMPS_NS
 #endif

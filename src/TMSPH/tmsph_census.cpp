@@ -11,9 +11,9 @@
 #include "modify.h"
 #include "output.h"
 #include "thermo.h"
-#include "tmsph_bond_user.h"
 #include "tmsph_collective.h"
 #include "tmsph_families.h"
+#include "tmsph_memories.h"
 #include "update.h"
 
 #include <algorithm>
@@ -98,20 +98,17 @@ void TMSPHCensus::follow_losses()
 }
 
 /* ----------------------------------------------------------------------
-   Bonds to particles that are nowhere any more are forgotten, broken ones too. Those that are
-   only out of reach are known to some processor.
+   What the processor that has a particle answers when others ask by its id; 0 if there is none
+   (collective)
 ------------------------------------------------------------------------- */
 
-void TMSPHCensus::forget_missing()
+std::unordered_map<tagint, tagint>
+TMSPHCensus::ask_all(std::vector<tagint> mine, const std::function<tagint(tagint)> &answer) const
 {
   const auto unique = [](std::vector<tagint> &ids) {
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   };
-  std::vector<tagint> mine;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int k = 0; k < families.count(i); k++)
-      if (const tagint id = families.partner_tag(i, k); atom->map(id) < 0) mine.push_back(id);
   unique(mine);
   int count = mine.size();
   std::vector<int> counts(comm->nprocs), first(comm->nprocs + 1, 0);
@@ -121,18 +118,34 @@ void TMSPHCensus::forget_missing()
   MPI_Allgatherv(mine.data(), count, MPI_LMP_TAGINT, asked.data(), counts.data(), first.data(),
                  MPI_LMP_TAGINT, world);
   unique(asked);
-  std::vector<int> here(asked.size()), anywhere(asked.size());
-  for (size_t n = 0; n < asked.size(); n++) {
-    const int i = atom->map(asked[n]);
-    here[n] = i >= 0 && i < atom->nlocal;
-  }
-  MPI_Allreduce(here.data(), anywhere.data(), here.size(), MPI_INT, MPI_MAX, world);
-  const auto gone = [&](tagint id) {
-    const auto found = std::lower_bound(asked.begin(), asked.end(), id);
-    return found != asked.end() && *found == id && !anywhere[found - asked.begin()];
-  };
+  std::vector<tagint> here(asked.size()), anywhere(asked.size());
+  std::transform(asked.begin(), asked.end(), here.begin(), answer);
+  MPI_Allreduce(here.data(), anywhere.data(), here.size(), MPI_LMP_TAGINT, MPI_MAX, world);
+  std::unordered_map<tagint, tagint> answers;
+  for (size_t n = 0; n < asked.size(); n++) answers[asked[n]] = anywhere[n];
+  return answers;
+}
+
+/* ----------------------------------------------------------------------
+   Bonds to particles that are nowhere any more are forgotten, broken ones too. Those that are
+   only out of reach are known to some processor.
+------------------------------------------------------------------------- */
+
+void TMSPHCensus::forget_missing()
+{
+  std::vector<tagint> mine;
   for (int i = 0; i < atom->nlocal; i++)
-    families.rename(i, [&](tagint id) { return gone(id) ? TMSPHFamilies::NOBODY : id; });
+    for (int k = 0; k < families.count(i); k++)
+      if (const tagint id = families.partner_tag(i, k); atom->map(id) < 0) mine.push_back(id);
+  const auto present = ask_all(mine, [this](tagint id) {
+    const int i = atom->map(id);
+    return i >= 0 && i < atom->nlocal ? id : TMSPHFamilies::NOBODY;
+  });
+  for (int i = 0; i < atom->nlocal; i++)
+    families.rename(i, [&](tagint id) {
+      const auto found = present.find(id);
+      return found == present.end() ? id : found->second;
+    });
 }
 
 /* ----------------------------------------------------------------------
@@ -161,28 +174,7 @@ void TMSPHCensus::refuse_other_volumes() const
 }
 
 /* ----------------------------------------------------------------------
-   LAMMPS refuses reset_atoms id by itself as long as there are such fixes, but not the
-   compression of ids by delete_atoms
-------------------------------------------------------------------------- */
-
-void TMSPHCensus::refuse_new_ids() const
-{
-  for (const auto &fix : modify->get_fix_list()) {
-    const auto other = dynamic_cast<const TMSPHStoresIds *>(fix);
-    if (!other) continue;
-    int mine = other->has_ids();
-    int any;
-    MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-    if (any)
-      error->all(FLERR,
-                 "Particles got new ids since the last run, by which fix {} {} knows what touches: "
-                 "use 'delete_atoms ... compress no'",
-                 fix->style, fix->id);
-  }
-}
-
-/* ----------------------------------------------------------------------
-   bonds whose partners are not found are forgotten: they were deleted
+   bonds whose partners are nowhere are forgotten: they were deleted
 ------------------------------------------------------------------------- */
 
 bool TMSPHCensus::follow_ids()
@@ -193,20 +185,31 @@ bool TMSPHCensus::follow_ids()
   for (int i = 0; i < nlocal; i++) other |= families.owner_tag(i) != atom->tag[i];
   MPI_Allreduce(&other, &renamed, 1, MPI_INT, MPI_MAX, world);
   if (!renamed) return false;
-  refuse_new_ids();
 
   former_tag.resize(nlocal + atom->nghost);
   for (int i = 0; i < nlocal; i++) former_tag[i] = families.owner_tag(i);
   comm->forward_comm(owner);
-  std::unordered_map<tagint, tagint> present;
+  std::unordered_map<tagint, tagint> own, present;
+  for (int i = 0; i < nlocal; i++) own[former_tag[i]] = atom->tag[i];
   for (size_t i = 0; i < former_tag.size(); i++) present[former_tag[i]] = atom->tag[i];
+  std::vector<tagint> far;    // partners, of broken bonds
+  for (int i = 0; i < nlocal; i++)
+    for (int k = 0; k < families.count(i); k++)
+      if (!present.count(families.partner_tag(i, k))) far.push_back(families.partner_tag(i, k));
+  present.merge(ask_all(far, [&own](tagint id) {
+    const auto found = own.find(id);
+    return found == own.end() ? TMSPHFamilies::NOBODY : found->second;
+  }));
+  const auto present_of = [&present](tagint id) {
+    const auto found = present.find(id);
+    return found == present.end() ? TMSPHFamilies::NOBODY : found->second;
+  };
   for (int i = 0; i < nlocal; i++) {
-    families.rename(i, [&](tagint id) {
-      const auto found = present.find(id);
-      return found == present.end() ? TMSPHFamilies::NOBODY : found->second;
-    });
+    families.rename(i, present_of);
     families.set_owner_tag(i, atom->tag[i]);
   }
+  for (const auto &fix : modify->get_fix_list())
+    if (const auto other = dynamic_cast<TMSPHStoresIds *>(fix)) other->follow_ids(present_of);
   former_tag.clear();
   return true;
 }

@@ -10,6 +10,8 @@
 
 #include "pointers.h"
 
+#include <functional>
+#include <unordered_map>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -32,8 +34,8 @@ class TMSPHCensus : protected Pointers {
   void take(bigint count) { particles = count; }
   /// after particles left the box or were deleted: their partners forget them
   void follow_losses();
-  /// reset_atoms id and delete_atoms with compression give new ids: families follow, as long as
-  /// partners are within reach. @return false if all ids are the same
+  /// reset_atoms id and delete_atoms with compression give new ids: families follow.
+  /// @return false if all ids are the same
   bool follow_ids();
   /// an error if volumes have changed
   void refuse_other_volumes() const;
@@ -50,10 +52,11 @@ class TMSPHCensus : protected Pointers {
   double volume = NAN;               // of all of them; NaN: not known yet
   std::vector<tagint> former_tag;    // of ghosts too, while ids are being followed
 
+  std::unordered_map<tagint, tagint> ask_all(std::vector<tagint> mine,
+                                             const std::function<tagint(tagint)> &answer) const;
   bigint count_particles() const;
   double total_volume() const;
   void forget_missing();
-  void refuse_new_ids() const;
 };
 
 }    // namespace LAMMPS_NS

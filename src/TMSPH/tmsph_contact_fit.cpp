@@ -68,19 +68,15 @@ void TMSPHContactFit::warn_if_apart(double nearest)
 }
 
 /* ----------------------------------------------------------------------
-   tangential coordinates of the reference vector X
+   tangential coordinates of the high end in the reference
 ------------------------------------------------------------------------- */
 
-template <int D> static void set_origin(const double *X, ContactPair &p)
+template <int D> void TMSPHContactFit::set_origin(Pairing &pairing) const
 {
-  static constexpr double REST[9] = {};
-  double normal[D], tangent[D - 1][D], square = 0.0;
-  for (int a = 0; a < D; a++) {
-    normal[a] = p.normal_low[a] + p.normal_high[a];
-    square += normal[a] * normal[a];
-  }
-  for (int a = 0; a < D; a++) normal[a] /= std::sqrt(square);
-  tangents(normal, REST, p.normal_low, tangent);
+  ContactPair &p = pairing.pair;
+  double X[3], tangent[D - 1][D];
+  scene.bonds->reference_vector(pairing.low, pairing.high, X);
+  reference_tangents<D>(p, tangent);
   for (int t = 0; t < D - 1; t++) {
     p.origin[t] = 0.0;
     for (int a = 0; a < D; a++) p.origin[t] += tangent[t][a] * X[a];
@@ -91,17 +87,33 @@ template <int D> static void set_origin(const double *X, ContactPair &p)
 
 template <int D> void TMSPHContactFit::fit_pairs(TMSPHContactList &list)
 {
+  for (Pairing &pairing : list.pairings) {
+    set_stiffness(pairing, scene.bonds->interior_kappa(), SHEAR_CLOSURE<D> / CLOSURE<D>,
+                  CLOSURE<D>);
+    if (pairing.meeting != Meeting::LATER && pairing.has_surface) set_origin<D>(pairing);
+  }
+  if (list.new_faces) find_surfaces<D>(list);
+}
+
+/* ----------------------------------------------------------------------
+   of all pairs of families
+------------------------------------------------------------------------- */
+
+template <int D> void TMSPHContactFit::find_surfaces(TMSPHContactList &list)
+{
   TMSPHGhostRows rows(2 * Moments<D>::SIZE);
   rows.fill(atom->nlocal + atom->nghost, 0.0);
   const double nearest = mark<D>(list, rows);
   ghosts.send(rows, 0, rows.columns());
   warn_if_apart(nearest);
   gather_marks<D>(list, rows);
+  const std::vector<Pairing> before(list.pairings);
   for (Pairing &pairing : list.pairings) {
-    set_stiffness(pairing, scene.bonds->interior_kappa(), SHEAR_CLOSURE<D> / CLOSURE<D>,
-                  CLOSURE<D>);
-    if (pairing.meeting != Meeting::LATER) fit_surface<D>(pairing, rows);
+    if (pairing.meeting == Meeting::LATER) continue;
+    fit_surface<D>(pairing, rows);
+    set_origin<D>(pairing);
   }
+  list.take_surfaces(before);
 }
 
 /* ----------------------------------------------------------------------
@@ -184,10 +196,7 @@ template <int D> void TMSPHContactFit::fit_surface(Pairing &pairing, const TMSPH
   ContactPair &p = pairing.pair;
   double X[3], direction[D], R2 = 0.0;
   bonds.reference_vector(low, high, X);
-  if (pairing.meeting == Meeting::BODIES && surfaces.take_given<D>(low, high, X, p)) {
-    set_origin<D>(X, p);
-    return;
-  }
+  if (pairing.meeting == Meeting::BODIES && surfaces.take_given<D>(low, high, X, p)) return;
   for (int a = 0; a < D; a++) R2 += X[a] * X[a];
   for (int a = 0; a < D; a++) direction[a] = X[a] / std::sqrt(R2);
   Moments<D> marks;
@@ -205,7 +214,6 @@ template <int D> void TMSPHContactFit::fit_surface(Pairing &pairing, const TMSPH
   }
   p.depth = marks.m[0] > 0.0 && p.distance > 0.0 ? std::min(1.0, std::max(0.0, depth / p.distance))
                                                  : 0.5;
-  set_origin<D>(X, p);
 }
 
 /* ----------------------------------------------------------------------

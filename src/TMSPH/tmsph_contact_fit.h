@@ -29,7 +29,7 @@ class TMSPHContactFit : protected Pointers {
   }
   static constexpr int MOST_SENT = 2 * TMSPH::Moments<3>::SIZE;
 
-  /// of all pairs (collective)
+  /// what all pairs need, and where there are new ones the surfaces of all (collective)
   void fit(TMSPHContactList &);
 
  private:
@@ -39,6 +39,8 @@ class TMSPHContactFit : protected Pointers {
   bool distance_checked = false;    // of bodies that are not bonded
 
   template <int D> void fit_pairs(TMSPHContactList &);
+  template <int D> void set_origin(TMSPHContactList::Pairing &) const;
+  template <int D> void find_surfaces(TMSPHContactList &);
   template <int D> double mark(const TMSPHContactList &, TMSPHGhostRows &) const;
   template <int D> void gather_marks(const TMSPHContactList &, TMSPHGhostRows &);
   template <int D> void fit_surface(TMSPHContactList::Pairing &, const TMSPHGhostRows &);

@@ -12,6 +12,7 @@
 #include "tmsph_contact_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -19,35 +20,41 @@
 using namespace LAMMPS_NS;
 using namespace TMSPH;
 using Record = TMSPHContactMemory::Record;
-using Met = TMSPHContactMemory::Met;
+
+/* ----------------------------------------------------------------------
+   by more than round-off, which comes in where ids have changed
+------------------------------------------------------------------------- */
+
+static bool moved(const ContactPair &was, const ContactPair &is)
+{
+  static constexpr double ROUND_OFF = 1.0e-9;
+  double change = std::fabs(was.distance - is.distance) / is.horizon;
+  for (int a = 0; a < 3; a++)
+    change = std::max(change, std::fabs(was.normal_low[a] - is.normal_low[a]));
+  return change > ROUND_OFF;
+}
 
 /* ---------------------------------------------------------------------- */
 
-void TMSPHContactList::find_refits(const std::vector<Pairing> &before)
+void TMSPHContactList::take_surfaces(const std::vector<Pairing> &before)
 {
-  const auto order = [](const Pairing &a, const Pairing &b) {
-    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
-  };
-  std::vector<Pairing> sorted(before);
-  std::sort(sorted.begin(), sorted.end(), order);
   std::sort(fresh.begin(), fresh.end());
-  for (size_t n = 0; n < pairings.size() && !(sorted.empty() && fresh.empty()); n++) {
+  for (size_t n = 0; n < pairings.size(); n++) {
     const Pairing &p = pairings[n];
-    if (p.meeting != Meeting::FACES) continue;
+    const ContactPair &was = before[n].pair, &is = p.pair;
+    if (p.meeting == Meeting::LATER) continue;
     if (std::binary_search(fresh.begin(), fresh.end(),
                            std::make_pair(atom->tag[p.low], atom->tag[p.high]))) {
-      refits.push_back({(int) n, p.pair});
-      refits.back().before.distance = -p.pair.horizon;    // far apart
-      continue;
-    }
-    const auto old = std::lower_bound(sorted.begin(), sorted.end(), p, order);
-    if (old == sorted.end() || order(p, *old)) continue;
-    const ContactPair &was = old->pair, &is = p.pair;
-    if (was.distance != is.distance ||
-        !std::equal(is.normal_low, is.normal_low + domain->dimension, was.normal_low))
+      refits.push_back({(int) n, is});
+      refits.back().before.distance = -is.horizon;    // far apart
+    } else if (p.has_surface && moved(was, is))
       refits.push_back({(int) n, was});
+    pairings[n].has_surface = true;
   }
   fresh.clear();
+  for (const Member &m : members)
+    for (int n = m.first; n < m.last; n++)
+      record(m, ends[n]).geometry = pairings[ends[n].pairing].pair;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -74,7 +81,7 @@ std::vector<int> TMSPHContactList::list_records(int i, const TMSPHContactMemory 
     const int j = bonds.partner_index(i, k);
     if (j != i && !(atom->mask[j] & scene.groupbit)) continue;
     const Record *known = before.record_of(partner);
-    records.push_back(known ? *known : Record{partner, {}, false});
+    records.push_back(known ? *known : Record{partner});
     records.back().parted = records.back().parted || j == i;
     partners.push_back(j);
   }
@@ -134,7 +141,7 @@ int TMSPHContactList::list_members(const TMSPHContactOutlines *outlines,
     if (TMSPHContactMemory *found = memories.find(atom->tag[i])) before = std::move(*found);
     std::vector<Record> records;
     const std::vector<int> partners = list_records(i, before, records);
-    const auto left_group = [&](const Met &met) {    // whose own memory ends with that
+    const auto left_group = [&](const Record &met) {    // whose own memory ends with that
       const int j = domain->closest_image(i, atom->map(met.partner));
       return j >= 0 && !(atom->mask[j] & scene.groupbit);
     };
@@ -156,10 +163,10 @@ int TMSPHContactList::list_members(const TMSPHContactOutlines *outlines,
 
 /* ---------------------------------------------------------------------- */
 
-ContactPast &TMSPHContactList::past(const Member &m, const End &e)
+Record &TMSPHContactList::record(const Member &m, const End &e)
 {
   TMSPHContactMemory &own = memory(m);
-  return e.later ? own.met[e.place].past : own.records[e.place].past;
+  return e.later ? own.met[e.place] : own.records[e.place];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -171,8 +178,10 @@ void TMSPHContactList::add_pairing(const Member &m, End &e)
       : state == FixTMSPHBond::UNBONDED ? Meeting::BODIES
                                         : Meeting::FACES;
   e.pairing = pairings.size();
-  pairings.push_back({e.low ? m.i : e.j, e.low ? e.j : m.i, meeting, false, past(m, e), {}});
-  if (e.later) static_cast<PairGeometry &>(pairings.back().pair) = memory(m).met[e.place].geometry;
+  const Record &known = record(m, e);
+  pairings.push_back(
+      {e.low ? m.i : e.j, e.low ? e.j : m.i, meeting, false, known.has_surface(), known.past, {}});
+  static_cast<PairGeometry &>(pairings.back().pair) = known.geometry;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -214,10 +223,13 @@ int TMSPHContactList::make(const TMSPHContactOutlines *outlines, const std::vect
 
   // restarts are written with one width for all processors
 
-  int mine[2] = {largest, !pairings.empty()};
-  int all[2];
-  MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, world);
+  const bool without = std::any_of(pairings.begin(), pairings.end(),
+                                   [](const Pairing &p) { return !p.has_surface; });
+  int mine[3] = {largest, !pairings.empty(), without};
+  int all[3];
+  MPI_Allreduce(mine, all, 3, MPI_INT, MPI_MAX, world);
   anywhere = all[1];
+  new_faces = all[2];
   return all[0];
 }
 
@@ -228,7 +240,7 @@ void TMSPHContactList::write_back()
   if (!ahead) return;
   ahead = false;
   for (const Member &m : members)
-    for (int n = m.first; n < m.last; n++) past(m, ends[n]) = pairings[ends[n].pairing].now;
+    for (int n = m.first; n < m.last; n++) record(m, ends[n]).past = pairings[ends[n].pairing].now;
 }
 
 /* ---------------------------------------------------------------------- */

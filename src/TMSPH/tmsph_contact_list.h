@@ -25,6 +25,7 @@ class TMSPHContactList : protected Pointers {
     int low, high;    // by id
     Meeting meeting;
     bool both_local;           // two ends have it
+    bool has_surface;          // else its surface is yet to be found
     TMSPH::ContactPast now;    // what they remember, ahead of them: see write_back()
     TMSPH::ContactPair pair;
   };
@@ -58,6 +59,7 @@ class TMSPHContactList : protected Pointers {
   std::vector<Pairing> pairings;
   std::vector<Refit> refits;    // since they were taken last
   bool anywhere = false;        // pairs on any processor
+  bool new_faces = false;       // pairs of families without a surface, on any processor
 
   /** Lists them again, after an exchange of particles and when bonds have gone (collective). What
       is remembered of particles and pairs that are not listed any more is forgotten.
@@ -68,8 +70,9 @@ class TMSPHContactList : protected Pointers {
   int make(const class TMSPHContactOutlines *outlines, const std::vector<int> *touched);
   /// bond k of local particle i goes, open: its pair begins without force
   void opened(int i, int k);
-  /// notes pairs of crack faces that had other surfaces before bonds broke, or begin without force
-  void find_refits(const std::vector<Pairing> &before);
+  /** The surfaces of pairs of families were found anew: they are remembered, those that are others
+      now, or begin without force, are noted. */
+  void take_surfaces(const std::vector<Pairing> &before);
 
   TMSPHContactMemory &memory(const Member &m) { return memories[m.memory]; }
   /// the pairings know more than their ends from here on
@@ -90,7 +93,7 @@ class TMSPHContactList : protected Pointers {
                                 std::vector<TMSPHContactMemory::Record> &) const;
   void list_ends(int i, const TMSPHContactMemory &, const std::vector<int> &partners);
   int room(const TMSPHContactMemory &) const;
-  TMSPH::ContactPast &past(const Member &, const End &);
+  TMSPHContactMemory::Record &record(const Member &, const End &);
   void add_pairing(const Member &, End &);
 };
 

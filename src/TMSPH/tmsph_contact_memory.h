@@ -18,15 +18,11 @@ namespace LAMMPS_NS {
 struct TMSPHContactMemory {
   /** What a pair remembers, at both ends. */
   struct Record {
-    tagint partner;
-    TMSPH::ContactPast past;
-    bool parted;    // they went out of each other's reach; if they come back they meet anew
-  };
-  /** A pair of particles that met later, at both ends. */
-  struct Met {
-    tagint partner;
-    TMSPH::ContactPast past;
-    TMSPH::PairGeometry geometry;
+    tagint partner = 0;
+    TMSPH::ContactPast past = {};
+    TMSPH::PairGeometry geometry = {};    // without normals until its surface is found
+    bool parted = false;    // they went out of each other's reach; if they come back they meet anew
+    bool has_surface() const { return !geometry.faceless(); }
   };
   /** Where friction is zero, of a particle that touches a segment: along it from its first end and
       to its left, in its lengths. */
@@ -44,7 +40,7 @@ struct TMSPHContactMemory {
   double tilt[9] = {};                     // moments f x of what bonds have to balance
   std::uint64_t stamp = 0;                 // fingerprint at the end of the run
   std::vector<Record> records;             // of the reference family, ascending partners
-  std::vector<Met> met;                    // ascending partners
+  std::vector<Record> met;                 // of those that met later, ascending partners
   std::vector<Anchor> anchors;             // of the segments that it touches
   double apart = 0.0;    // from the other body's outline in the reference; 0: not within reach
   std::vector<Pressed> pressed;    // ascending partners; only for heat
@@ -58,6 +54,11 @@ struct TMSPHContactMemory {
   /// nullptr if this partner is not in the reference family, or was not when pairs were listed
   const Record *record_of(tagint partner) const;
   bool has_met(tagint partner) const;
+  /** Particles have new ids.
+      @param present   the present id of the one with a former id, 0 of one that is gone
+      @param was,is    own ids, former and present
+      @param dimension of the simulation */
+  void follow_ids(const TMSPHPresentIds &present, tagint was, tagint is, int dimension);
 };
 
 using TMSPHContactMemories = TMSPHMemories<TMSPHContactMemory>;

@@ -34,6 +34,10 @@ struct PairGeometry {
   double depth;       ///< of the low end below its surface/sum of both depths
   /// 1: both are loose, the normal is the line between them, the reference normals what it was
   double loose;
+
+  /// true as long as there are no normals
+  bool faceless() const { return is_zero(normal_low) && is_zero(normal_high); }
+  static bool is_zero(const double *N) { return N[0] == 0.0 && N[1] == 0.0 && N[2] == 0.0; }
 };
 
 /** What a pair keeps while it is in contact. */
@@ -139,6 +143,19 @@ inline void tangents(const double *n, const double *H, const double *N, double (
   const double scale = 1.0 / std::sqrt(std::max(square, 1.0e-30));    // 0 only where F is absurd
   for (int a = 0; a < 3; a++) t[0][a] *= scale;
   cross_product(n, t[0], t[1]);
+}
+
+/// tangents of the pair as the reference stands
+template <int D> inline void reference_tangents(const PairGeometry &p, double (&t)[D - 1][D])
+{
+  static constexpr double REST[9] = {};
+  double normal[D], square = 0.0;
+  for (int a = 0; a < D; a++) {
+    normal[a] = p.normal_low[a] + p.normal_high[a];
+    square += normal[a] * normal[a];
+  }
+  for (int a = 0; a < D; a++) normal[a] /= std::sqrt(square);
+  tangents(normal, REST, p.is_zero(p.normal_low) ? p.normal_high : p.normal_low, t);
 }
 
 /** Geometry and prediction of one pair.

@@ -18,7 +18,7 @@ using namespace LAMMPS_NS;
 using namespace TMSPH;
 using Member = TMSPHContactList::Member;
 using End = TMSPHContactList::End;
-using Met = TMSPHContactMemory::Met;
+using Record = TMSPHContactMemory::Record;
 
 // pairs farther apart than this many horizons part: beyond 1, where their weight is 0, so that
 // pairs at the horizon do not come and go; 1 to 1.3 do the same but for round-off in test_fragments
@@ -77,7 +77,7 @@ int TMSPHContactSearch::part()
     }
     if (gone.empty()) continue;
     memory.met.erase(std::remove_if(memory.met.begin(), memory.met.end(),
-                                    [&](const Met &one) {
+                                    [&](const Record &one) {
                                       return std::find(gone.begin(), gone.end(), one.partner) !=
                                           gone.end();
                                     }),
@@ -176,7 +176,7 @@ template <int D> bool TMSPHContactSearch::meet_pair(int i, int j, const TMSPHGho
   const bool joins = stiff > 0.0 && neutral < depths + ROUGH * size;
   const bool given = one[Row::EXPOSURE] == (double) Exposure::GIVEN &&
       other[Row::EXPOSURE] == (double) Exposure::GIVEN;
-  Met record = {atom->tag[j], {}, pair};
+  Record record = {atom->tag[j], {}, pair};
   record.geometry.distance = given ? depths : joins ? neutral : std::min(depths, neutral);
   record.geometry.depth = one[Row::DEPTH] / depths;
   for (int k = 0; k < D - 1; k++) record.past.moved[k] = s.slip[k] / s.stretch;
@@ -202,7 +202,7 @@ template <int D> int TMSPHContactSearch::meet(const TMSPHGhostRows &rows)
     if (i < atom->nlocal) cells.near(atom->x[i], [&](int j) { met += meet_pair<D>(i, j, rows); });
   for (int n = 0; n < memories.count(); n++)
     std::sort(memories[n].met.begin(), memories[n].met.end(),
-              [](const Met &a, const Met &b) { return a.partner < b.partner; });
+              [](const Record &a, const Record &b) { return a.partner < b.partner; });
   return met;
 }
 

@@ -10,14 +10,28 @@
 
 #include "lmptype.h"
 
+#include <functional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
 
-/** Memory: a struct with int pack(double *) const, which writes a number of 0 or more first,
-    int unpack(const double *) and int size() const, all in doubles. */
+/// the present id of the particle with a former one, 0 if it is gone
+using TMSPHPresentIds = std::function<tagint(tagint)>;
+
+/** A fix that knows particles by their ids. */
+struct TMSPHStoresIds {
+  /** reset_atoms id or delete_atoms gave new ones. Until this is called, in a setup after particles
+      have changed places, the fix goes by the former ids, those of TMSPHFamilies::owner_tag(). */
+  virtual void follow_ids(const TMSPHPresentIds &) = 0;
+
+ protected:
+  ~TMSPHStoresIds() = default;    // owned as a fix, never through this interface
+};
+
+/** Memory: a struct with int pack(double *) const, int unpack(const double *) and
+    int size() const, all in doubles. What travels has the id of its particle first. */
 template <class Memory> class TMSPHMemories {
  public:
   int count() const { return memories.size(); }
@@ -64,16 +78,33 @@ template <class Memory> class TMSPHMemories {
   int size(tagint id) const
   {
     const Memory *memory = find(id);
-    return memory ? memory->size() : 1;
+    return 1 + (memory ? memory->size() : 0);
   }
   int pack(tagint id, double *buf) const
   {
     const Memory *memory = find(id);
-    if (memory) return memory->pack(buf);
-    buf[0] = ubuf(-1).d;
-    return 1;
+    buf[0] = ubuf(memory ? id : 0).d;
+    return 1 + (memory ? memory->pack(buf + 1) : 0);
   }
-  int unpack(tagint id, const double *buf) { return ubuf(buf[0]).i < 0 ? 1 : of(id).unpack(buf); }
+  int unpack(const double *buf)
+  {
+    const tagint id = (tagint) ubuf(buf[0]).i;
+    return 1 + (id ? of(id).unpack(buf + 1) : 0);
+  }
+
+  /// changed(memory, former id, present id) is called for each that is kept
+  template <class Changed> void follow_ids(const TMSPHPresentIds &present, Changed changed)
+  {
+    TMSPHMemories kept;
+    for (int n = 0; n < count(); n++) {
+      const tagint id = present(ids[n]);
+      if (id == 0) continue;
+      Memory &memory = kept.of(id);
+      memory = std::move(memories[n]);
+      changed(memory, ids[n], id);
+    }
+    std::swap(*this, kept);
+  }
 
  private:
   std::vector<Memory> memories;

@@ -46,7 +46,6 @@ SKIN = CONDUCTS + "\n" + HEAT
 TABLE = BAD + "specific/heat * 850 conductivity * table cloud.data k"
 CUT = "tmsph/cut all "
 RELAX = "tmsph/relax all region "
-HOLE = "\nregion hole block INF 1.5e-3 6.5e-3 INF INF INF units box"
 CONTACT = "fix touch all tmsph/contact "
 WALL = "fix wall all tmsph/wall "
 LINE = WALL + "line 0 -9e-3 1 -9e-3 "
@@ -449,10 +448,6 @@ CASES = [
     (PLATE, dict(more=CONTACT + "stiffness -1"), "stiffness -1|positive"),
     (PLATE, dict(more=CONTACT + "\nfix two all tmsph/contact"),
      "More than one fix tmsph/contact|single"),
-    (PLATE, dict(more=CONTACT + "\nreset_atoms id"), "reset_atoms id|storing atom IDs"),
-    (PLATE, dict(more="pair_coeff 1 2 none\n" + CONTACT + HOLE,
-                 after="delete_atoms region hole\nrun 1"),
-     "new ids|tmsph/contact touch|compress no"),
     (PLATE, {"pair": "", "coeff": "", "break": "", "more": CONTACT},
      "tmsph/contact needs pair style"),
     (PLATE, dict(more=WALL), "tmsph/wall|missing"),
@@ -495,10 +490,6 @@ CASES = [
     (PLATE, dict(more=LINE + "load NULL NULL mass 1"), "NULL|at least one"),
     (PLATE, dict(more=LINE + "load NULL -1 weight 1"), "mass|2 components|weight"),
     (PLATE, dict(more=LINE + "load NULL -1 mass 0"), "mass 0|positive"),
-    (PLATE, dict(more=LINE + "\nreset_atoms id"), "reset_atoms id|storing atom IDs"),
-    (PLATE, dict(more=WALL + "line 0 -4e-4 1 -4e-4" + HOLE,
-                 after="delete_atoms region hole\nrun 1"),
-     "new ids|tmsph/wall wall|compress no"),
     (PLATE, {"pair": "", "coeff": "", "break": "", "more": LINE}, "tmsph/wall needs pair style"),
     (PLATE, {"style": "atom_style atomic", "volume": "mass * 1", "pair": "", "coeff": "",
              "break": "", "more": LINE}, "tmsph/wall|atom_style tmsph"),
