@@ -16,7 +16,8 @@ ROOT = Path(__file__).resolve().parents[2]
 MATERIALS = {f"potentials/{path.name}": path.read_text()
              for path in ROOT.glob("potentials/*.tmsph")}
 COARSE = {"in.disc": "dx 4e-3", "in.brazil": "dx 2e-3", "in.borehole": "dx 5e-3",
-          "in.quench": "dx 0.5e-3", "in.toughness": "dx 0.5e-3", "in.disc3d": "n 3"}
+          "in.quench": "dx 0.5e-3", "in.toughness": "dx 0.5e-3", "in.disc3d": "n 3",
+          "in.branching": "dx 2e-3"}
 # what a column of a dump has to be for OVITO; all other names are ours
 MEANT = {"id": "Particle Identifier", "type": "Particle Type", "radius": "Radius",
          **{axis: f"Position.{axis.upper()}" for axis in "xyz"},
