@@ -7,8 +7,9 @@ rough balls that spin rub on each other. In the midst of that particles may get 
 
 import numpy as np
 
-from tmsph_testing import Cloud, Scene, lattice, main, material
+from tmsph_testing import Cloud, Scene, Script, lattice, main, material
 
+FLOOR = "fix floor all tmsph/wall line 0 -0.02 1 -0.02 friction 0.3"
 SPACING, ROCK = 1e-3, material(40e9, 0.25, 2700.0)
 KEPT = 1e-10         # of angular momentum, in units of mass times speed times radius
 ENERGY = 1 + 1e-3    # largest/first
@@ -31,10 +32,13 @@ def breaking(dimension, friction, speed, steps):
     v[:, 0] -= 0.2 * speed * cloud.X[:, 1] / middle
     v[:, 1] += 0.2 * speed * cloud.X[:, 0] / middle
     scene.set("vx vy vz", v)
-    scene.add("fix hb all tmsph/hoekbrown strength * 100e6 mi * 8 weibull * 10 77\n"
-              f"fix touch all tmsph/contact friction * * {friction}\n"
-              "fix move all nve\ntimestep 4e-8")
+    scene.add(f"{styles(friction)}\ntimestep 4e-8")
     return scene, middle * speed, steps
+
+
+def styles(friction):
+    return ("fix hb all tmsph/hoekbrown strength * 100e6 mi * 8 weibull * 10 77\n"
+            f"fix touch all tmsph/contact friction * * {friction}\nfix move all nve")
 
 
 def spinning(friction, steps):
@@ -112,9 +116,22 @@ def numbered_anew(report, what, made, wall=""):
         report.below(f"{what}: {words} after reset_atoms id", np.abs(a - b).max() / np.abs(a).max(), 1e-9)
 
 
+def resumed(report, ranks):
+    """From a restart file that is written before the bonds could follow the new ids."""
+    scene, _, steps = breaking(2, 0.5, 15.0, 700)
+    scene.add(f"{FLOOR}\nrun {steps}\nreset_atoms id sort yes\nwrite_restart r\nrun 20")
+    whole = scene.snapshot("end", "x y z vx vy vz fx fy fz").run(ranks, keep="r")
+    rest = Script(f"read_restart r\n{styles(0.5)}\n{FLOOR}\nrun 20", whole.kept)
+    rest = rest.snapshot("end", "x y z vx vy vz fx fy fz").run(ranks)
+    report.true(f"new ids in a restart file, on {ranks}",
+                all(np.array_equal(column, rest.frame("end")[name])
+                    for name, column in whole.frame("end").items()), "goes on with the same bits")
+
+
 def new_ids(report):
-    floor = "fix floor all tmsph/wall line 0 -0.02 1 -0.02 friction 0.3"
-    numbered_anew(report, "ring and wall", lambda: breaking(2, 0.5, 15.0, 700), floor)
+    for ranks in (1, 2):
+        resumed(report, ranks)
+    numbered_anew(report, "ring and wall", lambda: breaking(2, 0.5, 15.0, 700), FLOOR)
     numbered_anew(report, "shell", lambda: breaking(3, 0.5, 15.0, 200))
     numbered_anew(report, "spinning balls", lambda: spinning(0.0, 300))
 
