@@ -146,7 +146,8 @@ LEFT = """\
 ## What is not here
 
 Relaxed clouds in the plates, the beam and the test of Kalthoff and Winkler; the heated disc and the quenched plate with
-a fracture energy. Inclined cracks: `unittest/verification/test_inclined_long.py`; branching: `test_branching.py` there. Cost per step and memory: [costs](costs.md)."""
+a fracture energy. Inclined cracks: `unittest/verification/test_inclined_long.py`; branching: `test_branching.py`
+there. Cost per step and memory: [costs](costs.md)."""
 
 
 def bars_of(rows):

@@ -5,7 +5,8 @@ first. There is no snap-back. The notch of the finite elements is as long as tha
 are a peak within 4 % and a softening branch within 8 % of the finite elements, down to 0.3 of the peak. Of the spacings
 of 0.3, 0.2 and 0.1 of the characteristic length the last has the peak, none the branch: on the square lattice the peak
 is 20, 12 and 4 % high, the branch 22 to 56, 11 to 26 and 3 to 11 %. These run by name only: test_bend.py spacings, or
-lattices, rate. By default the elastic stiffness is held to the bar of the peak at 0.2, and what updates gain to theirs."""
+lattices, rate. By default the elastic stiffness is held to the bar of the peak at 0.2, and what updates gain to
+theirs."""
 
 import re
 from pathlib import Path
